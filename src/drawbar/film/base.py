@@ -1,0 +1,37 @@
+"""What every film is: a law that answers a slip velocity under a pressure with a shear stress."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+__all__ = ["Film"]
+
+
+class Film:
+    """Base of all films between wheel and tissue. A subclass is one file.
+
+    ``registry`` holds every law by class name: defining a subclass is what adds it.
+    """
+
+    registry: ClassVar[dict[str, type[Film]]] = {}
+
+    def __init_subclass__(cls) -> None:
+        Film.registry[cls.__name__] = cls
+
+    @staticmethod
+    def shear_stress(slip_velocity: Any, pressure: Any, *parameters: Any) -> Any:
+        """Shear stress [Pa] on the wheel at a slip velocity [m/s] under a pressure [Pa].
+
+        Odd in the slip velocity and never against it in sign: τ V >= 0 (a film only dissipates).
+        """
+        raise NotImplementedError
+
+    arc: ClassVar[Callable[..., Any] | None] = None
+    """Exact integrals over a contact arc of (rear, front, vx, vy, omega, radius, ...), or None: sum
+    over nodes. Returns per width r∫τ cos θ dθ, r∫τ sin θ dθ, side force, r²∫τ dθ, and r∫τ V dθ."""
+
+    @property
+    def continuous_at_rest(self) -> bool:
+        """Whether the shear stress rises without a jump from zero slip: what free motion needs."""
+        return True

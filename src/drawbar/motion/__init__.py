@@ -1,0 +1,1 @@
+"""Ways to move, one physics: steady (algebra) and planar (equations of motion)."""

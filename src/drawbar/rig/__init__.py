@@ -1,0 +1,1 @@
+"""The rig: runs of the virtual one, logs of a real one, in one format."""

@@ -1,0 +1,65 @@
+"""What every tissue is: a law that answers an indentation with a pressure.
+
+A law is a frozen value plus *kernels*: static methods that are plain functions of numbers, written with
+NumPy's elementwise functions so that the same source serves arrays, single numbers and the compiler.
+A kernel takes its state first and then the law's quantities in the order of their declaration.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+import numpy as np
+
+__all__ = ["Tissue", "geometric_half_angle"]
+
+
+def geometric_half_angle(sinkage: Any, radius: Any) -> Any:
+    """Half contact angle of a circle pressed by ``sinkage`` [m] below an undisturbed plane, rad.
+
+    φ = 2 asin sqrt(δ / 2r), which is acos(1 - δ/r) without its cancellation at small sinkage;
+    0 above the surface, π/2 once the axle is below it (deep contact).
+
+    Source: Rentschler et al. 2004, equations (6) and (16).
+    """
+    return 2.0 * np.arcsin(np.sqrt(np.minimum(np.maximum(sinkage / (2.0 * radius), 0.0), 0.5)))
+
+
+class Tissue:
+    """Base of all tissues. A subclass is one file, decorated with :func:`drawbar.quantity.value`.
+
+    ``registry`` holds every law by class name: defining a subclass is what adds it.
+    """
+
+    registry: ClassVar[dict[str, type[Tissue]]] = {}
+
+    def __init_subclass__(cls) -> None:
+        Tissue.registry[cls.__name__] = cls
+
+    # Kernels --------------------------------------------------------------------------------------
+    @staticmethod
+    def half_angle(sinkage: Any, radius: Any, *parameters: Any) -> Any:
+        """Half contact angle [rad] at a sinkage [m] of a wheel of ``radius`` [m]; 0 out of contact."""
+        raise NotImplementedError
+
+    @staticmethod
+    def pressure(deflection: Any, slope: Any, curvature: Any, *parameters: Any) -> Any:
+        """Contact pressure [Pa] under a surface deflection w [m] (down), its slope w' and curvature w''."""
+        raise NotImplementedError
+
+    @staticmethod
+    def energy_density(deflection: Any, slope: Any, *parameters: Any) -> Any:
+        """Elastic energy stored per area of surface [J/m²]."""
+        raise NotImplementedError
+
+    @staticmethod
+    def edge_energy(deflection: Any, *parameters: Any) -> Any:
+        """Elastic energy per width [J/m] of the free surface beyond one contact edge deflected by w [m]."""
+        raise NotImplementedError
+
+    support: ClassVar[Callable[..., Any] | None] = None
+    """Exact reaction per width [N/m] at (sinkage, half_angle, radius, ...), or None: sum over nodes."""
+
+    sinkage_under: ClassVar[Callable[..., Any] | None] = None
+    """Exact sinkage [m] under (reaction per width [N/m], radius [m], ...), or None: solve for it."""
