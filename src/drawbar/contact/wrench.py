@@ -95,7 +95,7 @@ def wrench(wheel: Wheel, tissue: Tissue, film: Film, state: State, ground: None 
     >>> w = wrench(drawbar.Wheel(radius=0.0075, width=0.02), drawbar.Winkler(stiffness=225e3),
     ...            drawbar.Couette(viscous_coefficient=1e4), State(sinkage=0.002, vx=0.0254, omega=6.0))
     >>> f"{w.reaction:.6f} N, {w.drawbar_force:.6f} N, {w.wheel_torque:.6g} N m"
-    '0.063672 N, 0.047655 N, 0.000370966 N m'
+    '0.063032 N, 0.044304 N, 0.000368384 N m'
     """
     if ground is not None:
         raise ValueError(

@@ -150,8 +150,9 @@ def _named(inputs: Mapping[str, Any]) -> dict[str, xr.DataArray]:
     named = {}
     for name, v in inputs.items():
         if isinstance(v, xr.DataArray):
-            own_name = {d: name for d in v.dims if d == "speed" and name == "slide_speed"}
-            named[name] = v.rename(own_name).astype(float)
+            # What else a result's column carries along would only clash with the other inputs.
+            bare = v.reset_coords(drop=True).astype(float)
+            named[name] = bare.rename({"speed": "slide_speed"}) if "speed" in v.dims else bare
             continue
         a = plain[name].astype(float)
         own = dims[len(dims) - a.ndim :]
@@ -230,11 +231,13 @@ def _omega_under_torque(
 
 
 def _root(excess: Callable[..., Any], low: Any, high: Any, args: tuple[Any, ...], what: str) -> Any:
-    start = elementwise.bracket_root(excess, low, high, xmin=low if what == "sinkage" else None, args=args)
+    lowest = low if what == "sinkage" else None
+    start = elementwise.bracket_root(excess, low, high, xmin=lowest, args=args, maxiter=60)
     found = elementwise.find_root(excess, start.bracket, args=args)
-    if not np.all(found.success):
+    bad = ~(start.success & found.success)
+    if np.any(bad):
         raise RuntimeError(
-            f"no {what} was found for {int(np.sum(~found.success))} of {found.success.size} operating points. "
-            "The torque or load may be beyond what the film or tissue can bear."
+            f"no {what} was found for {int(np.sum(bad))} of {bad.size} operating points: "
+            "the torque or load is beyond what the film or tissue can bear. Give less of it."
         )
     return found.x

@@ -9,7 +9,7 @@ import numpy as np
 from drawbar.elementwise import where
 from drawbar.quantity import quantity, value
 from drawbar.tissue.base import Tissue
-from drawbar.tissue.winkler import segment
+from drawbar.tissue.winkler import Winkler, segment
 
 __all__ = ["FilonenkoBorodich"]
 
@@ -109,4 +109,5 @@ class FilonenkoBorodich(Tissue):
             s = where((step > low) & (step < high), step, 0.5 * (low + high))
         t = np.exp(s)
         sinkage = 2.0 * radius * np.sin(0.5 * np.arctan(t)) ** 2 + length * t
-        return where(reaction > 0.0, sinkage, 0.0)
+        slack = Winkler.sinkage_under(reaction, radius, stiffness)  # without tension there is a deep case
+        return where(reaction > 0.0, where(tension > 0.0, sinkage, slack), 0.0)
