@@ -24,12 +24,13 @@ import drawbar.wheel
 from drawbar.files import write_whole
 from drawbar.film.base import Film
 from drawbar.quantity import parameters, quantities
+from drawbar.rig.sensors import Sensors
 from drawbar.tissue.base import Tissue
 from drawbar.units import si
 from drawbar.variables import nearest
 from drawbar.wheel.base import Wheel
 
-__all__ = ["KINDS", "find", "laws", "presets", "save", "to_toml"]
+__all__ = ["KINDS", "find", "laws", "presets", "save", "sensors", "to_toml"]
 
 KINDS: dict[str, type] = {"tissue": Tissue, "film": Film, "wheel": Wheel}
 
@@ -87,6 +88,14 @@ def find(kind: str, given: Any) -> Any:
     )
 
 
+def sensors(given: str | None) -> Sensors:
+    """A rig's sensors from text such as ``force_noise=5 mN, angle_noise=0.1 deg``; None is a perfect rig."""
+    if given is None:
+        return Sensors()
+    call = _CALL.match(given)
+    return _fill(Sensors, _arguments(call[2] if call else given, given), f"--noise '{given}'")
+
+
 def _arguments(text: str, whole: str) -> dict[str, str]:
     arguments = {}
     for part in filter(None, (p.strip() for p in text.split(","))):
@@ -101,22 +110,27 @@ def _build(kind: str, law: str, arguments: dict[str, Any], where: str) -> Any:
     known = laws(kind)
     if law not in known:
         raise ValueError(f"'{law}' in {where} is not a {kind} law.{nearest(law, known)} There are: {', '.join(known)}.")
-    declared = quantities(known[law])
+    return _fill(known[law], arguments, where)
+
+
+def _fill(law: type, arguments: dict[str, Any], where: str) -> Any:
+    """A frozen value from text or numbers by quantity; what is misspelt, missing or wrong is named."""
+    declared = quantities(law)
     for name in arguments:
         if name == "diameter":
             raise ValueError(f"'diameter' in {where}: wheels are given by radius, half of it.")
         if name not in declared:
             raise ValueError(
-                f"'{name}' in {where} is not a quantity of {law}.{nearest(name, declared)} "
+                f"'{name}' in {where} is not a quantity of {law.__name__}.{nearest(name, declared)} "
                 f"It has: {', '.join(declared)}."
             )
-    fields = inspect.signature(known[law]).parameters
+    fields = inspect.signature(law).parameters
     missing = [n for n in declared if n not in arguments and fields[n].default is inspect.Parameter.empty]
     if missing:
         example = ", ".join(f"{n}=... {declared[n].unit}" for n in missing)
-        raise ValueError(f"{law} in {where} lacks {', '.join(missing)}. Add {example}.")
+        raise ValueError(f"{law.__name__} in {where} lacks {', '.join(missing)}. Add {example}.")
     try:
-        return known[law](**{name: si(v, declared[name].unit) for name, v in arguments.items()})
+        return law(**{name: si(v, declared[name].unit) for name, v in arguments.items()})
     except (TypeError, ValueError) as error:
         raise ValueError(f"{where}: {error}") from None
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import contextlib
 import os
+import shutil
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-__all__ = ["refuse_existing", "whole", "write_whole"]
+__all__ = ["refuse_existing", "whole", "whole_folder", "write_whole"]
+
+MARKER = ".drawbar"
 
 
 def refuse_existing(*paths: Path, force: bool = False) -> None:
@@ -45,3 +48,34 @@ def _umask() -> int:
     current = os.umask(0)
     os.umask(current)
     return current
+
+
+@contextlib.contextmanager
+def whole_folder(path: Path, *, force: bool = False) -> Iterator[Path]:
+    """A temporary folder beside ``path`` to fill; it becomes ``path`` at the end, or goes on failure.
+
+    With ``force`` an existing folder is replaced, but only one that was written this way before: it
+    holds a marker, so that a slip of the keyboard cannot delete what is not ours.
+    """
+    occupied = path.exists() and (not path.is_dir() or any(path.iterdir()))
+    if occupied and not force:
+        raise FileExistsError(f"{path} exists. Give --force to overwrite, or another place with --out.")
+    if occupied and not (path / MARKER).is_file():
+        raise FileExistsError(
+            f"{path} holds other files, which --force will not delete. Give another place with --out."
+        )
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}-"))
+    try:
+        yield temporary
+        (temporary / MARKER).write_text("written whole by drawbar\n")
+        temporary.chmod(0o777 & ~_umask())
+        if path.exists():
+            old = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}-old-"))
+            path.replace(old / path.name)
+            temporary.replace(path)
+            shutil.rmtree(old)
+        else:
+            temporary.replace(path)
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)

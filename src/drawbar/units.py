@@ -10,7 +10,7 @@ import functools
 import re
 from typing import Any
 
-__all__ = ["factor", "si"]
+__all__ = ["factor", "series", "si"]
 
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$")
 
@@ -71,3 +71,36 @@ def si(text: str | float, unit: str) -> float:
         raise ValueError(f"'{text}' is not a number with a unit. Write for example '1.5 {unit}'.")
     number = float(match[1].replace(",", "."))
     return number * factor(match[2], unit) if match[2] else number
+
+
+def series(text: str | float, unit: str) -> list[float]:
+    """A list of numbers in the SI ``unit``: ``0.1,0.2``, ``5:25:5 mm/s`` (from, to, how many), or both.
+
+    A unit at the end counts for every number that has none of its own.
+
+    >>> series("10,20:40:3 mm", "m")
+    [0.01, 0.02, 0.03, 0.04]
+
+    Raises
+    ------
+    ValueError
+        A part is not a number with a unit, or a range is not ``from:to:how many``.
+    """
+    if isinstance(text, (int, float)):
+        return [float(text)]
+    *parts, last = (part.strip() for part in text.split(","))
+    match = _QUANTITY.match(last.rpartition(":")[2])
+    common = match[2] if match else ""
+    numbers: list[float] = []
+    for part in [*parts, last]:
+        if ":" not in part:
+            own = _QUANTITY.match(part)
+            numbers.append(si(part if own is None or own[2] else f"{part} {common}", unit))
+            continue
+        ends = part.removesuffix(common).split(":")
+        if len(ends) != 3 or not ends[2].strip().isdigit() or int(ends[2]) < 2:
+            raise ValueError(f"'{part}' is not a range. Write from:to:how many, for example 0.5:1.5:3.")
+        low, high = (si(f"{end.strip()} {common}", unit) for end in ends[:2])
+        step = (high - low) / (int(ends[2]) - 1)
+        numbers.extend(low + step * i for i in range(int(ends[2])))
+    return numbers

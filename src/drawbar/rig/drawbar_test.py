@@ -14,10 +14,10 @@ from drawbar.quantity import quantities
 from drawbar.rig.derive import derived
 from drawbar.rig.sensors import Sensors
 from drawbar.tissue.base import Tissue
-from drawbar.variables import OBSERVATION, declare, tidy
+from drawbar.variables import LABELS, OBSERVATION, declare, tidy
 from drawbar.wheel.base import Wheel
 
-__all__ = ["TRAVEL", "drawbar_test"]
+__all__ = ["TRAVEL", "drawbar_test", "drawbar_test_at"]
 
 TRAVEL = 0.20
 """Length of a run [m]: about 20 cm (Rentschler et al. 2004, section VII.A)."""
@@ -105,6 +105,47 @@ def drawbar_test(
         attrs["damping"] = f"lever damper {damper:g} N s/m" if damper else "nothing damps the settling"
     names = [n for n in ("wheel", "tissue", "film", "trial") if n in columns]
     return declare({n: (OBSERVATION, c) for n, c in columns.items()}, coords=names, attrs=attrs)
+
+
+def drawbar_test_at(dataset: xr.Dataset, wheel: Wheel, tissue: Tissue, film: Film) -> xr.Dataset:
+    """The virtual rig at the settings of a log, row by row: what to put beside a measurement.
+
+    Parameters
+    ----------
+    dataset
+        Rows with ``normal_load``, ``slide_speed`` and ``wheel_speed``, such as :func:`drawbar.load` gives.
+    wheel, tissue, film
+        What the model takes the wheel, the ground and the film to be.
+
+    Returns
+    -------
+    xarray.Dataset
+        The rows' settings and labels, and the model's ``drawbar_force``, ``wheel_torque``, ``sinkage``
+        and ``contact_half_angle`` in steady rolling.
+
+    Raises
+    ------
+    ValueError
+        A setting is missing.
+    """
+    rows = tidy(dataset)
+    needed = ("normal_load", "slide_speed", "wheel_speed")
+    missing = [name for name in needed if name not in rows]
+    if missing:
+        raise ValueError(
+            f"the log lacks {', '.join(missing)}. The rig runs at {', '.join(needed)}; a wheel speed also follows "
+            "from rim_speed or speed_ratio once wheel_radius is known."
+        )
+    settings = {name: rows[name].reset_coords(drop=True) for name in needed}
+    result = steady(
+        wheel, tissue, film, normal_load=settings["normal_load"], speed=settings["slide_speed"],
+        wheel_speed=settings["wheel_speed"],
+    )  # fmt: skip
+    columns = {name: result[name] for name in (*needed, "speed_ratio", *MEASURED, "contact_half_angle")}
+    columns |= {name: rows[name] for name in LABELS if name in rows.variables and name != "film"}
+    columns = {name: (OBSERVATION, column.values) for name, column in columns.items()}
+    attrs = {"wheel_law": repr(wheel), "tissue_law": repr(tissue), "film_law": repr(film), "origin": "virtual rig"}
+    return declare(columns, coords=[n for n in LABELS if n in columns], attrs=attrs)
 
 
 def _means(
