@@ -152,6 +152,12 @@ def test_forces_speeds_angles_and_the_grams_that_are_not_forces():
     assert si("12 %", "1") == pytest.approx(0.12)
     with pytest.raises(ValueError, match=r"mass is not a force: if the weight of that mass is meant, write gf"):
         si("28 g", "N")
+    assert si("1 rev/min", "rad/s") == pytest.approx(2 * np.pi / 60)
+    assert si("2 Nm", "N m") == 2.0
+    assert si("4 mm2", "m^2") == pytest.approx(4e-6)
+    for text, unit in (("1 1/s", "rad/s"), ("1 Hz", "rad/s"), ("3 deg", "1"), ("3 %", "rad")):
+        with pytest.raises(ValueError, match=r"for sure: an angle is rad"):
+            si(text, unit)
     with pytest.raises(ValueError, match=r"unit 'furlongz' is not known"):
         si("2 furlongz", "m")
     with pytest.raises(ValueError, match=r"is not a number with a unit"):

@@ -269,7 +269,7 @@ def compare(
     out: Out = Path("out/compare"),
     force: Force = False,
 ) -> None:
-    """Put a model beside a measurement: scale, offset, which explains more, and agreement in sign and rank."""
+    """Put a model beside a measurement (--map, --set and --where read the measurement)."""
     from drawbar.files import refuse_existing, write_whole
     from drawbar.study.compare import compare
     from drawbar.view import figure, terminal
@@ -277,7 +277,7 @@ def compare(
     files = [out / f"compare.{suffix}" for suffix in ("txt", "png", "svg")]
     refuse_existing(*files, force=force)
     result = compare(
-        _load(model, map, set, where), _load(data, map, set, where), quantity=quantity, tolerance=tolerance
+        _load(model, None, None, None), _load(data, map, set, where), quantity=quantity, tolerance=tolerance
     )
     terminal.say(result.report())
     write_whole(files[0], result.report() + "\n", force=force)

@@ -12,6 +12,7 @@ from typing import Any
 
 __all__ = ["factor", "series", "si"]
 
+_ANGLE = re.compile("radian|degree|arc|turn|revolution|grade")
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$")
 
 
@@ -31,20 +32,32 @@ def factor(given: str, wanted: str) -> float:
     ValueError
         The unit is unknown or of another dimension; the sentence names both.
     """
-    if given.strip() in {wanted, ""} and wanted == "1":
-        return 1.0
-    if given.strip() == "%" and wanted == "1":
+    given = given.strip()
+    if given == wanted:
+        return 1.0  # also spares the import of pint
+    if given == "%" and wanted == "1":
         return 0.01
     registry = _registry()
     try:
         ratio = (1.0 * _unit(given)).to(_unit(wanted))
     except Exception as error:  # pint raises a family of its own, and Python's for odd text
         raise ValueError(_refusal(given, wanted, error, registry)) from None
+    # To a units library radians are plain numbers, so 1/s would pass for rad/s and degrees for a ratio.
+    if wanted in {"1", "rad", "rad/s"} and bool(_ANGLE.search(str(_unit(given)))) == (wanted == "1"):
+        raise ValueError(
+            f"unit '{given}' does not convert to {wanted} for sure: an angle is rad, deg or turn, a ratio is 1 or %. "
+            "For revolutions write rpm or turn/s."
+        )
     return float(ratio.magnitude)
 
 
 def _unit(text: str) -> Any:
-    return _registry().Unit("dimensionless" if text.strip() in {"1", ""} else text.replace("·", "*"))
+    """A unit as laboratories write it: Nm, mm2, rev/min and [-] too."""
+    text = text.strip().replace("·", "*")
+    text = re.sub(r"\b([mµuk]?N)m\b", r"\1 m", text)
+    text = re.sub(r"\b([cmµuk]?m)([23])\b", r"\1^\2", text)
+    text = re.sub(r"\brev\b", "turn", text)
+    return _registry().Unit("dimensionless" if text in {"1", "", "-"} else text)
 
 
 def _refusal(given: str, wanted: str, error: Exception, registry: Any) -> str:

@@ -19,11 +19,13 @@ def _speed_ratio(slide_speed: Any, rim_speed: Any) -> Any:
 
 def _wheel_speed(speed_ratio: Any, slide_speed: Any, wheel_radius: Any) -> Any:
     with np.errstate(divide="ignore", invalid="ignore"):
-        return slide_speed / (speed_ratio * wheel_radius)
+        # no speed ratio means a locked wheel
+        return np.where(np.isnan(speed_ratio), 0.0, slide_speed / (speed_ratio * wheel_radius))
 
 
 # What a column follows from, in the order in which they are tried. A measured column is never replaced.
 RULES: tuple[tuple[str, tuple[str, ...], Callable[..., Any]], ...] = (
+    ("speed_ratio", ("slip",), lambda slip: 1.0 - slip),
     ("wheel_speed", ("rim_speed", "wheel_radius"), lambda rim, r: rim / r),
     ("wheel_speed", ("speed_ratio", "slide_speed", "wheel_radius"), _wheel_speed),
     ("rim_speed", ("wheel_speed", "wheel_radius"), lambda omega, r: omega * r),
