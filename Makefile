@@ -26,7 +26,7 @@ coverage: .venv/core
 
 # The example logs that the package ships, made anew by the virtual rig.
 logs: .venv/core
-	$(BIN)/python -m drawbar.rig.examples
+	$(BIN)/python -m drawbar.study.examples
 
 clean:
 	rm -rf .venv out build dist .pytest_cache .ruff_cache .hypothesis .import_linter_cache

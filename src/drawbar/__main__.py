@@ -312,7 +312,7 @@ def load(
 @app.command()
 def logs(out: Out = Path("out/logs"), force: Force = False) -> None:
     """Copy the example logs, one of each kind, made by the virtual rig and labelled as such."""
-    from drawbar.rig.examples import copy_examples
+    from drawbar.study.examples import copy_examples
     from drawbar.view import terminal
 
     terminal.say(f"written: {', '.join(map_to_text(copy_examples(out, force=force)))}")

@@ -14,7 +14,7 @@ from drawbar.tissue.filonenko_borodich import FilonenkoBorodich
 from drawbar.tissue.winkler import Winkler
 from drawbar.wheel.base import Wheel
 
-__all__ = ["NAME", "WIDTHS", "drawbar_maps", "tension_error", "verdicts", "wheel_of_width"]
+__all__ = ["NAME", "WIDTHS", "drawbar_maps", "laws", "tension_error", "verdicts", "wheel_of_width"]
 
 NAME = "elastic tissue, viscous film (2004)"
 
@@ -27,6 +27,12 @@ STIFFNESS = {"foam": PRINTED["foam_stiffness"].value, "liver": PRINTED["liver_st
 def wheel_of_width(width: float) -> Wheel:
     """The robot's smooth wheel at some width [m]."""
     return Wheel(radius=PRINTED["robot_diameter"].value / 2, width=width, mass=PRINTED["robot_mass"].value)
+
+
+def laws(tissue: str) -> tuple[Winkler, Couette]:
+    """The tissue with its printed stiffness, and the assumed film."""
+    film = Couette(viscous_coefficient=ASSUMED[f"{tissue}_viscous_coefficient"].value)
+    return Winkler(stiffness=STIFFNESS[tissue]), film
 
 
 def drawbar_maps() -> dict[tuple[str, str], xr.DataArray]:
