@@ -8,11 +8,12 @@ import sys
 import time
 from collections.abc import Callable
 
-import drawbar
 import numpy as np
 from rich.console import Console
 from rich.table import Table
 from scipy.integrate import solve_ivp
+
+import drawbar
 
 POINTS = 1_000_000
 
@@ -43,10 +44,12 @@ def steady_million(film: Callable[[np.ndarray], drawbar.Film]) -> float:
 
 def transient(damper: float) -> float:
     """Eight seconds of the paper's run at a tolerance of 1e-8."""
-    laws = drawbar.find("wheel", "robot-2004"), drawbar.find("tissue", "foam-2004"), drawbar.find("film", "film-assumed")
-    return seconds(
-        lambda: drawbar.simulate(*laws, normal_load=0.27468, speed=0.0254, speed_ratio=0.5, damper=damper)
+    laws = (
+        drawbar.find("wheel", "robot-2004"),
+        drawbar.find("tissue", "foam-2004"),
+        drawbar.find("film", "film-assumed"),
     )
+    return seconds(lambda: drawbar.simulate(*laws, normal_load=0.27468, speed=0.0254, speed_ratio=0.5, damper=damper))
 
 
 def transient_in_plain_python(damper: float) -> float:
@@ -69,7 +72,9 @@ def transient_in_plain_python(damper: float) -> float:
 
 
 def command(*words: str) -> float:
-    return seconds(lambda: subprocess.run([sys.executable, "-m", "drawbar", *words], check=True, capture_output=True), 3)
+    return seconds(
+        lambda: subprocess.run([sys.executable, "-m", "drawbar", *words], check=True, capture_output=True), 3
+    )
 
 
 def main() -> None:
@@ -86,7 +91,9 @@ def main() -> None:
         table.add_row(f"steady, {name}, {POINTS:,} points", f"{took:.2f} s", f"{POINTS / took:,.0f} points/s", "< 2 s")
     for label, damper in (("bouncing for ever", 0.0), ("lever damper 0.5 N s/m", 0.5)):
         ours, plain = transient(damper), transient_in_plain_python(damper)
-        table.add_row(f"8 s transient, {label}", f"{ours * 1e3:.1f} ms", f"{plain / ours:,.0f} × solve_ivp RK45", "< 50 ms")
+        table.add_row(
+            f"8 s transient, {label}", f"{ours * 1e3:.1f} ms", f"{plain / ours:,.0f} × solve_ivp RK45", "< 50 ms"
+        )
     table.add_row("drawbar --help", f"{command('--help'):.2f} s", "", "< 0.5 s")
     Console().print(table)
 

@@ -156,7 +156,7 @@ def test_a_foreign_log_goes_from_file_to_comparison(run, tmp_path):
         (["rig", "--load", "-1 N"], "normal_load must be >= 0 N"),
         (["rig", "--wheel", "Wheel(radius=15, width=20 mm)"], "diameter, or in millimetres?"),
         (["rig", "--speed-ratio", "1", "--wheel-speed", "0"], "exactly one of speed_ratio, wheel_speed, wheel_torque"),
-        (["rig", "--noise", "force=5 mN"], "Did you mean 'force_noise'"),
+        (["rig", "--noise", "force_nose=5 mN"], "Did you mean 'force_noise'"),
         (["rig", "--out", "/proc/nowhere"], "drawbar: "),
         (["simulate", "--start", "rest"], "start must be 'touch-down' or 'equilibrium'"),
         (["identify", "stiffness", "none.csv"], "none.csv"),

@@ -262,7 +262,10 @@ def compare(
     model: Annotated[Path, typer.Argument(help="CSV or netCDF of the model, such as 'drawbar rig' writes.")],
     data: Annotated[Path, typer.Argument(help="CSV or netCDF of the measurement.")],
     quantity: Annotated[str, typer.Option(help="Which column to compare.")] = "drawbar_force",
-    tolerance: Annotated[float, typer.Option(help="How far settings may scatter and still be one condition.")] = 0.02,
+    tolerance: Annotated[
+        list[str] | None,
+        typer.Option(help="How far settings may scatter and still be one condition: 0.02, or 'normal_load=0.2'."),
+    ] = None,
     map: Maps = None,
     set: Sets = None,
     where: Wheres = None,
@@ -277,7 +280,7 @@ def compare(
     files = [out / f"compare.{suffix}" for suffix in ("txt", "png", "svg")]
     refuse_existing(*files, force=force)
     result = compare(
-        _load(model, None, None, None), _load(data, map, set, where), quantity=quantity, tolerance=tolerance
+        _load(model, None, None, None), _load(data, map, set, where), quantity=quantity, tolerance=_tolerance(tolerance)
     )
     terminal.say(result.report())
     write_whole(files[0], result.report() + "\n", force=force)
@@ -346,7 +349,22 @@ def _pairs(option: str, given: list[str] | None) -> dict[str, str]:
     return pairs
 
 
-_EXAMPLES = {"map": "Fx=drawbar_force [N]", "set": "wheel_radius=58 mm", "where": "beta=0"}
+def _tolerance(given: list[str] | None) -> float | dict[str, float]:
+    """One number for all settings, or numbers by setting; nothing is the study's own default."""
+    from drawbar.study.compare import TOLERANCE
+    from drawbar.units import si
+
+    if given is not None and len(given) == 1 and "=" not in given[0]:
+        return si(given[0], "1")
+    return {name: si(text, "1") for name, text in _pairs("tolerance", given).items()} or TOLERANCE
+
+
+_EXAMPLES = {
+    "tolerance": "normal_load=0.2",
+    "map": "Fx=drawbar_force [N]",
+    "set": "wheel_radius=58 mm",
+    "where": "beta=0",
+}
 
 
 def map_to_text(paths: list[Path]) -> list[str]:

@@ -189,7 +189,10 @@ def _over_widths(cells: xr.DataArray) -> str:
         return f"{here}; all cells at every width from {swept}"
     if not holds.any():
         counts = (cells == 1).sum(["load_ratio", "speed_ratio"]).values
-        return f"{here}; {counts.min()} to {counts.max()} of {judged} over widths from {swept}, never all"
+        low, high = counts.min(), counts.max()
+        if low == high:
+            return f"{here}; as many at every width from {swept}"
+        return f"{here}; {low} to {high} of {judged} over widths from {swept}, never all"
     kept_widths = millimetres[holds]
     return f"{here}; all cells only at widths {_ranges(kept_widths)} of {swept}: the verdict hangs on the width"
 

@@ -32,7 +32,7 @@ class Panel:
     draw: Callable[[Reproduction], Figure]
 
 
-def _words(number: int, *, curves: str, outcomes: tuple[str, ...]) -> Callable[[Reproduction], Figure]:
+def _words(*, curves: str, outcomes: tuple[str, ...]) -> Callable[[Reproduction], Figure]:
     said = tuple(o for o in OUTCOMES if o.name in outcomes)
     return lambda r: figure.printed_words(said, model_curves=r.datasets[curves])
 
@@ -49,7 +49,7 @@ NO_VALUES = (
 PANELS: tuple[Panel, ...] = (
     Panel("figure_07", "Fig. 7: least-squares fit of the film", VIRTUAL,
           f"Locked wheel dragged over liver at five speeds each way, three loads, three repeats. {CIRCULAR}",
-          lambda r: figure.film_fit(r.fits["film_liver"])),
+          lambda r: figure.film_fit(r.fits["film_liver"], weight=WEIGHT)),
     Panel("figure_08", "Fig. 8: stiffness of foam and liver", VIRTUAL,
           f"Weights of 20 to 200 g on a plate, three sets each. {CIRCULAR}",
           lambda r: figure.stiffness_fit(r.fits["stiffness_foam"], r.fits["stiffness_liver"])),
@@ -62,17 +62,17 @@ PANELS: tuple[Panel, ...] = (
           "coefficient, to which every force is proportional; the shape is not.",
           lambda r: figure.drawbar_curves(r.datasets["curve_foam"], weight=WEIGHT)),
     Panel("figure_11", "Fig. 11: measured drawbar force, smooth wheel on foam", WORDS, NO_VALUES,
-          _words(11, curves="curve_foam", outcomes=("P1", "P2", "P3"))),
+          _words(curves="curve_foam", outcomes=("P1", "P2", "P3"))),
     Panel("figure_13", "Fig. 13: measured drawbar force, smooth wheel on liver", WORDS, NO_VALUES,
-          _words(13, curves="curve_liver", outcomes=("P5", "P6"))),
+          _words(curves="curve_liver", outcomes=("P5", "P6"))),
     Panel("figure_14", "Fig. 14: measured drawbar force, female wheel on foam", WORDS, NO_VALUES,
-          _words(14, curves="curve_foam", outcomes=("P4",))),
+          _words(curves="curve_foam", outcomes=("P4",))),
     Panel("figure_15", "Fig. 15: measured drawbar force, female wheel on liver", WORDS, NO_VALUES,
-          _words(15, curves="curve_liver", outcomes=("P7",))),
+          _words(curves="curve_liver", outcomes=("P7",))),
     Panel("figure_16", "Fig. 16: measured drawbar force, male wheel on foam", WORDS, NO_VALUES,
-          _words(16, curves="curve_foam", outcomes=("P4",))),
+          _words(curves="curve_foam", outcomes=("P4",))),
     Panel("figure_17", "Fig. 17: measured drawbar force, male wheel on liver", WORDS, NO_VALUES,
-          _words(17, curves="curve_liver", outcomes=("P8", "P9", "P10"))),
+          _words(curves="curve_liver", outcomes=("P8", "P9", "P10"))),
     Panel("width_sweep", "Verdicts over the wheel's width", COMPUTED,
           "The paper does not print the wheel's width. Each row is a cell of a criterion, each column a width: a verdict "  # noqa: E501
           "that flips inside the plausible range is none.",
@@ -88,9 +88,9 @@ PANELS: tuple[Panel, ...] = (
     Panel("rig_against_model", "The virtual rig against the model behind it", VIRTUAL,
           "Ten noisy repeats of each setting compared with the model that made them: the comparison must find a factor "
           "of one, no offset, and it does not see a difference where there is none.",
-          lambda r: figure.comparison(r.comparisons["rig_against_model"])),
+          lambda r: figure.comparison(r.comparisons["rig_against_model"], weight=WEIGHT)),
     Panel("liver_against_foam", "Smooth wheel: liver against foam, both computed", COMPUTED,
           "The same film on both: by stiffness alone liver and foam differ little, and the sign never.",
-          lambda r: figure.comparison(r.comparisons["liver_against_foam"])),
+          lambda r: figure.comparison(r.comparisons["liver_against_foam"], weight=WEIGHT)),
 )  # fmt: skip
 """Every figure of the report, in order: the paper's 7 to 11 and 13 to 17, then what it does not show."""

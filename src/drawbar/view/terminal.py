@@ -90,6 +90,9 @@ def dataset(rows: xr.Dataset, title: str) -> None:
 
 _ALWAYS = {"drawbar_force"}
 
+LEDGER = ("motor_work", "load_work", "drawbar_work", "film_heat", "damper_heat", "elastic_energy", "kinetic_energy",
+          "ledger_error")  # fmt: skip
+
 
 def _heading(column: xr.DataArray) -> str:
     unit = column.attrs.get("units", "")
@@ -118,33 +121,33 @@ def ledger(run: xr.Dataset) -> None:
     table.add_row(*(_cell(last[name].expand_dims("time"), 0) for name in names))
     _console().print(table)
     energies = Table(title="energy since the start", title_justify="left")
-    parts = (
-        "motor_work",
-        "load_work",
-        "drawbar_work",
-        "film_heat",
-        "damper_heat",
-        "elastic_energy",
-        "kinetic_energy",
-        "ledger_error",
-    )
-    for name in parts:
-        energies.add_column(_heading(run[name]), justify="right")
-    changes = [last[n] - (run[n][0] if n.endswith("_energy") else 0.0) for n in parts]
-    energies.add_row(*(f"{float(c) * 1e3:.4g}" for c in changes))
+    energies.add_column("what")
+    energies.add_column("mJ", justify="right")
+    for name in LEDGER:
+        change = last[name] - (run[name][0] if name.endswith("_energy") else 0.0)
+        energies.add_row(name.replace("_", " "), f"{float(change) * 1e3:.4g}")
     _console().print(energies)
 
 
 def outcomes(verdicts: tuple[Verdict, ...]) -> None:
-    """The paper's printed outcomes with what each model gives."""
-    table = Table(title="The paper's printed outcomes", title_justify="left", show_lines=True)
-    for heading in ("", "printed", "model", "verdict", "cells and wheel width", "reason"):
-        table.add_column(heading)
+    """The paper's printed outcomes with what each model gives, and why."""
+    models = list(dict.fromkeys(v.model for v in verdicts))
+    title = (
+        f"The paper's printed outcomes, by the model: {models[0]}"
+        if len(models) == 1
+        else "The paper's printed outcomes"
+    )
+    table = Table(title=title, title_justify="left", show_lines=True, expand=True)
+    table.add_column("", no_wrap=True)
+    table.add_column("printed", ratio=3)
+    table.add_column("verdict", ratio=2)
+    table.add_column("why, by which criterion, and over the wheel's width", ratio=7)
     colours = {"reproduced": "green", "not reproduced": "red"}
     for v in verdicts:
-        colour = colours.get(v.verdict, "yellow")
         printed = f"{v.outcome.tissue}, {v.outcome.wheel}: {v.outcome.statement}"
-        table.add_row(v.outcome.name, printed, v.model, f"[{colour}]{v.verdict}[/]", v.widths, v.reason)
+        verdict = f"[{colours.get(v.verdict, 'yellow')}]{v.verdict}[/]" + (f"\n({v.model})" if len(models) > 1 else "")
+        why = [v.reason, f"criterion: {v.criterion}", v.widths]
+        table.add_row(v.outcome.name, printed, verdict, "\n".join(filter(None, why)))
     _console().print(table)
 
 
