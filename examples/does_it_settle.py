@@ -11,6 +11,7 @@ for damper in (0.0, 0.5):
     swing = float(late.sinkage.max() - late.sinkage.min()) * 1e3
     spent = float(run.motor_work[-1] + run.load_work[-1])
     print(
-        f"damper {damper:g} N s/m: sinkage still swings by {swing:.3f} mm, speed {float(run.slide_speed[-1]) * 1e3:.1f} mm/s, "
+        f"damper {damper:g} N s/m: sinkage still swings by {swing:.3f} mm, "
+        f"speed {float(run.slide_speed[-1]) * 1e3:.1f} mm/s, "
         f"ledger closed to {float(abs(run.ledger_error[-1])) / spent:.0e} of {spent * 1e3:.1f} mJ"
     )

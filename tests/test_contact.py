@@ -2,6 +2,10 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.differentiate import derivative
+
 from drawbar.catalogue import laws
 from drawbar.contact import closed_form
 from drawbar.contact.bind import bind
@@ -14,10 +18,7 @@ from drawbar.quantity import parameters
 from drawbar.tissue.filonenko_borodich import FilonenkoBorodich
 from drawbar.tissue.winkler import Winkler
 from drawbar.wheel.base import Wheel
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from laws import FILMS, TISSUES, WHEEL
-from scipy.differentiate import derivative
 
 ROUNDING = 1e-10  # what the closed forms are asked to be met to
 

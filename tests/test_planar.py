@@ -2,9 +2,10 @@
 
 import time
 
-import drawbar
 import numpy as np
 import pytest
+
+import drawbar
 from drawbar.contact.wrench import State, wrench
 from laws import FILMS, TISSUES, WHEEL
 

@@ -1,13 +1,14 @@
 """Does steady rolling carry the load, meet the closed forms, and broadcast as promised?"""
 
-import drawbar
 import numpy as np
 import pytest
 import xarray as xr
-from drawbar.contact import closed_form
-from drawbar.tissue.winkler import kepler_half_angle, segment
 from hypothesis import given
 from hypothesis import strategies as st
+
+import drawbar
+from drawbar.contact import closed_form
+from drawbar.tissue.winkler import kepler_half_angle, segment
 from laws import FILMS, TISSUES, WHEEL
 
 FOAM, COUETTE = TISSUES[0], FILMS[1]

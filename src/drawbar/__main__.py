@@ -124,7 +124,7 @@ def rig(
     else:
         if not any(v is not None for v in given.values()):
             given["speed_ratio"] = "0.5,1,1.5"
-        drives = {n: series(v, VARIABLES[n].unit) for n, v in given.items() if v is not None}
+        drives: dict[str, Any] = {n: series(v, VARIABLES[n].unit) for n, v in given.items() if v is not None}
         result = drawbar_test(
             *laws,
             normal_load=series(load, "N"),

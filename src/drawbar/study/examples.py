@@ -106,10 +106,10 @@ def make(name: str, folder: Path) -> Path:
     rows = run()[list(columns)]
     for column, unit in UNITS.items():
         if column in rows.variables:
-            shown = rows[column] / factor(unit, rows[column].attrs["units"])
+            shown = rows[column].values / factor(unit, rows[column].attrs["units"])
             digits = DIGITS - 1 - np.floor(np.log10(np.maximum(np.abs(shown), 1e-12)))
-            rounded = [round(float(v), int(d)) for v, d in zip(shown.values, digits.values, strict=True)]
-            rows[column] = (shown.dims, rounded, {"units": unit})
+            rounded = [round(float(v), int(d)) for v, d in zip(shown, digits, strict=True)]
+            rows[column] = (rows[column].dims, rounded, {"units": unit})
     rows.attrs = {"origin": "virtual rig"}
     comment = f"made by the virtual rig of drawbar, not in a laboratory; seed {SEED}"
     return write_csv(rows, folder / f"{name}.csv", force=True, comments=[comment])

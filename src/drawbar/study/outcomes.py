@@ -98,11 +98,11 @@ def at_assumed_width(over_width: xr.DataArray) -> xr.DataArray:
 def _p1(maps: Maps) -> xr.DataArray:
     force = maps["foam", "smooth"]
     pull, zero, skid = (force.sel(speed_ratio=s, drop=True) for s in SPEED_RATIOS)
-    return xr.concat([pull > 0, np.abs(zero) <= ABOUT_ZERO * pull, skid < 0], force.speed_ratio).astype(float)
+    return xr.concat([pull > 0, abs(zero) <= ABOUT_ZERO * pull, skid < 0], force.speed_ratio).astype(float)
 
 
 def _p2(maps: Maps) -> xr.DataArray:
-    size = np.abs(maps["foam", "smooth"])
+    size = abs(maps["foam", "smooth"])
     grows = (size > (1 + GROWS) * size.shift(load_ratio=1)).astype(float)
     judged = (size.load_ratio > LOADS[0]) & (size.speed_ratio != 1.0)  # P1 has the force at 1 about zero
     return grows.where(judged)
@@ -116,7 +116,7 @@ def _p3(maps: Maps) -> xr.DataArray:
 
 
 def _p5(maps: Maps) -> xr.DataArray:
-    ratio = np.abs(maps["foam", "smooth"]) / np.abs(maps["liver", "smooth"])
+    ratio = abs(maps["foam", "smooth"]) / abs(maps["liver", "smooth"])
     holds = ((ratio >= LOWER[0]) & (ratio <= LOWER[1])).astype(float)
     return holds.where(ratio.speed_ratio != 1.0)
 

@@ -67,8 +67,8 @@ def verdicts(maps: dict[tuple[str, str], xr.DataArray]) -> tuple[Verdict, ...]:
 
 def _reasons(maps: dict[tuple[str, str], xr.DataArray]) -> dict[str, str]:
     foam, liver = (at_assumed_width(maps[t, "smooth"]) for t in ("foam", "liver"))
-    share = float((np.abs(foam.sel(speed_ratio=1.0)) / foam.sel(speed_ratio=0.5)).max())
-    ratio = np.abs(foam) / np.abs(liver)
+    share = float((abs(foam.sel(speed_ratio=1.0)) / foam.sel(speed_ratio=0.5)).max())
+    ratio = abs(foam) / abs(liver)
     low, high = (float(f(ratio.sel(speed_ratio=[0.5, 1.5]))) for f in (np.min, np.max))
     least = _least_pull()
     no_tread = "the model knows smooth wheels only"
