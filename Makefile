@@ -22,11 +22,11 @@ bench: .venv/core
 
 # Long: 200 synthetic data sets; stop and start it as you like.
 coverage: .venv/core
-	$(BIN)/python -m drawbar.study.coverage --out out/coverage --count 200
+	$(BIN)/python -m drawbar.study.identify.coverage --out out/coverage --count 200
 
 # The example logs that the package ships, made anew by the virtual rig.
 logs: .venv/core
-	$(BIN)/python -m drawbar.study.examples
+	$(BIN)/python -m drawbar.study.paper.examples
 
 clean:
 	rm -rf .venv out build dist .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -1,7 +1,7 @@
 """What is my tissue's stiffness and my film's friction, and how sure is that? From the shipped example logs."""
 
 import drawbar
-from drawbar.study.examples import example_log
+from drawbar.study.paper.examples import example_log
 
 stiffness = drawbar.identify_stiffness(drawbar.load(example_log("plates")))
 film = drawbar.identify_film(drawbar.load(example_log("drags")))

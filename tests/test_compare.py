@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import drawbar
-from drawbar.study.agreement import agreement, mean_interval
-from drawbar.study.compare import compare
-from drawbar.study.comparison import Comparison
+from drawbar.study.compare.agreement import agreement, mean_interval
+from drawbar.study.compare.compare import compare
+from drawbar.study.compare.comparison import Comparison
 from drawbar.variables import declare
 
 W = 0.27468

@@ -1,5 +1,7 @@
 """Is the contact force right? Closed forms, limits, symmetry, energy, and what every law must obey."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -18,7 +20,7 @@ from drawbar.quantity import parameters
 from drawbar.tissue.filonenko_borodich import FilonenkoBorodich
 from drawbar.tissue.winkler import Winkler
 from drawbar.wheel.base import Wheel
-from laws import FILMS, TISSUES, WHEEL
+from laws import ELASTIC, FILMS, MEMORY, TISSUES, WHEEL
 
 ROUNDING = 1e-10  # what the closed forms are asked to be met to
 
@@ -175,20 +177,26 @@ STATES = State(
 
 @for_every_pair
 def test_nothing_is_felt_out_of_contact_and_everything_is_finite(tissue, film):
-    found = wrench(WHEEL, tissue, film, STATES)
+    state = STATES if tissue.deep else dataclasses.replace(STATES, sinkage=np.minimum(STATES.sinkage, 0.007))
+    found = wrench(WHEEL, tissue, film, state)
     for name, number in vars(found).items():
         assert np.all(np.isfinite(number)), name
         assert np.all(np.broadcast_to(number, (7, 7))[:2] == 0.0), name
 
 
 @for_every_pair
-def test_power_is_accounted_for_and_the_film_only_dissipates(tissue, film):
-    found = wrench(WHEEL, tissue, film, STATES)
-    motor, drawbar = found.wheel_torque * STATES.omega, found.drawbar_force * STATES.vx
-    scale = np.abs(motor) + np.abs(drawbar) + found.film_loss
-    assert np.all(np.abs(motor - drawbar - found.film_loss) <= 1e-12 * scale)
+def test_power_is_accounted_for_and_film_and_tissue_only_dissipate(tissue, film):
+    state = STATES if tissue.deep else dataclasses.replace(STATES, sinkage=np.minimum(STATES.sinkage, 0.007))
+    found = wrench(WHEEL, tissue, film, state)
+    motor, drawbar = found.wheel_torque * state.omega, found.drawbar_force * state.vx
+    loss = found.film_loss + found.tissue_loss
+    scale = np.abs(motor) + np.abs(drawbar) + loss + 1e-12 * np.max(loss)
+    # The tissue's loss is its own dissipation, summed apart from the resistance.
+    assert np.all(np.abs(motor - drawbar - loss) <= (1e-12 if tissue in ELASTIC else 1e-6) * scale)
     assert np.all(found.film_loss >= 0.0)
-    assert np.all(found.rolling_resistance == 0.0)  # elastic tissue gives all of it back
+    assert np.all(found.tissue_loss >= 0.0)
+    if tissue in ELASTIC:  # gives all of it back
+        assert np.all(found.rolling_resistance == 0.0)
 
 
 @for_every_pair
@@ -217,7 +225,40 @@ def test_broadcasting_equals_looping_and_the_compiled_kernel_equals_the_plain_on
         assert np.all(np.abs(np.array(compiled(*state, *numbers)) - one) <= 1e-13 * scale)
 
 
-@pytest.mark.parametrize("tissue", TISSUES, ids=by_name)
+def test_every_pair_of_laws_is_cached_under_its_own_name():
+    """Two laws with equally many numbers compile to the same signature: only the name tells them apart."""
+    pairs = {(type(t), type(f)) for t in TISSUES for f in FILMS}
+    for by_way_of in (True, False):  # bound compiled from the start, or plain first
+        names = set()
+        for tissue, film in pairs:
+            kernel = contact_kernel(tissue, film, compiled=by_way_of)
+            names.add(
+                kernel.py_func.__name__
+                if by_way_of
+                else bind(uses_contact, compiled=True, contact=kernel).py_func.__name__
+            )
+        assert len(names) == len(pairs)
+
+
+def uses_contact(*state):
+    return contact(*state)  # noqa: F821
+
+
+@pytest.mark.parametrize("tissue", MEMORY, ids=by_name)
+def test_a_tissue_with_memory_resists_rolling_leans_forward_and_refuses_what_it_cannot(tissue):
+    found = wrench(WHEEL, tissue, Frictionless(), State(sinkage=0.003, vx=0.0254))
+    assert found.rolling_resistance > 0.0
+    assert found.drawbar_force == -found.rolling_resistance
+    assert 0.0 < -found.rear_edge < found.front_edge
+    back = wrench(WHEEL, tissue, Frictionless(), State(sinkage=0.003, vx=-0.0254))
+    assert back.drawbar_force == found.rolling_resistance
+    assert (back.front_edge, back.rear_edge) == (-found.rear_edge, -found.front_edge)
+    if not tissue.deep:
+        with pytest.raises(ValueError, match=r"no finite answer to the sudden indentation.*Give less"):
+            wrench(WHEEL, tissue, Frictionless(), State(sinkage=0.008, vx=0.0254))
+
+
+@pytest.mark.parametrize("tissue", ELASTIC, ids=by_name)
 @pytest.mark.parametrize("sinkage", [1e-4, 2e-3, 7.4e-3, 9e-3])
 def test_the_reaction_is_the_derivative_of_the_stored_energy(tissue, sinkage):
     energy, numbers = energy_kernel(type(tissue)), parameters(tissue)
@@ -226,7 +267,7 @@ def test_the_reaction_is_the_derivative_of_the_stored_energy(tissue, sinkage):
     assert reaction == pytest.approx(float(slope.df), rel=1e-7)  # the difference formula's own reach
 
 
-@pytest.mark.parametrize("tissue", TISSUES, ids=by_name)
+@pytest.mark.parametrize("tissue", ELASTIC, ids=by_name)
 def test_the_force_is_continuous_from_touch_down_to_deep_contact(tissue):
     depth = np.concatenate([np.linspace(-1e-4, 1e-4, 2001), np.linspace(7.4e-3, 7.6e-3, 2001)])
     found = wrench(WHEEL, tissue, FILMS[1], State(sinkage=depth, vx=0.02, omega=4.0))

@@ -16,9 +16,9 @@ from matplotlib.text import Text
 
 import drawbar
 from drawbar.sources.rentschler_2004 import LOADS, OUTCOMES, SPEED_RATIOS, WEIGHT
-from drawbar.study import paper_model
-from drawbar.study.compare import compare
-from drawbar.study.fit import Fit
+from drawbar.study.compare.compare import compare
+from drawbar.study.identify.fit import Fit
+from drawbar.study.paper import model as paper_model
 from drawbar.view import figure
 from drawbar.view.style import shown, style
 

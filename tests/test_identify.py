@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 
 import drawbar
-from drawbar.study.coverage import PARAMETERS, coverage
-from drawbar.study.reduce import reduce_histories
+from drawbar.study.identify.coverage import PARAMETERS, coverage
+from drawbar.study.identify.reduce import reduce_histories
 from laws import WHEEL
 
 LIVER = drawbar.Winkler(stiffness=415e3)

@@ -54,7 +54,8 @@ def assert_same(found, expected):
     assert set(found.coords) == set(expected.coords)
     for name, column in expected.variables.items():
         assert found[name].dims == (OBSERVATION,)
-        assert found[name].attrs == column.attrs
+        found_attrs, attrs = ({k: np.asarray(v).tolist() for k, v in x.attrs.items()} for x in (found[name], column))
+        assert found_attrs == attrs
         if column.dtype.kind == "f":
             assert found[name].values.tobytes() == column.values.tobytes(), name
         else:

@@ -6,8 +6,8 @@ import xarray as xr
 
 from drawbar.contact.closed_form import drawbar_number
 from drawbar.sources.rentschler_2004 import LOADS, OUTCOMES, PRINTED, SPEED_RATIOS, WEIGHT
-from drawbar.study import paper_model
-from drawbar.study.outcomes import CRITERIA, NOT_ADDRESSED, NOT_REPRODUCED, REPRODUCED, judge
+from drawbar.study.paper import model as paper_model
+from drawbar.study.paper.outcomes import CRITERIA, NOT_ADDRESSED, NOT_REPRODUCED, REPRODUCED, judge
 
 NO_REASONS = {o.name: "" for o in OUTCOMES}
 

@@ -6,9 +6,9 @@ import pytest
 import drawbar
 from drawbar.rig.derive import derived
 from drawbar.rig.drawbar_test import drawbar_test_at
-from laws import FILMS, TISSUES, WHEEL
+from laws import ELASTIC, FILMS, WHEEL
 
-FOAM, COUETTE = TISSUES[0], FILMS[1]
+FOAM, COUETTE = ELASTIC[0], FILMS[1]
 SETTINGS = {"normal_load": [0.14, 0.27, 0.41], "speed": 0.0254, "speed_ratio": [0.5, 1.0, 1.5]}
 NOISY = drawbar.Sensors(force_noise=0.01, force_bias=0.002, angle_noise=0.004, torque_noise=1e-5)
 
@@ -105,7 +105,7 @@ def test_the_rig_runs_at_a_logs_own_settings():
         drawbar_test_at(log.drop_vars(["wheel_speed"]), WHEEL, FOAM, COUETTE)
 
 
-@pytest.mark.parametrize("tissue", TISSUES, ids=repr)
+@pytest.mark.parametrize("tissue", ELASTIC, ids=repr)
 def test_a_plates_work_is_the_energy_it_stores(tissue):
     """For a linear law the work F w / 2 is the energy under the plate and along its rim."""
     area, mass = 1e-3, 0.1

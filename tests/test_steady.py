@@ -8,10 +8,11 @@ from hypothesis import strategies as st
 
 import drawbar
 from drawbar.contact import closed_form
+from drawbar.motion.flags import explain
 from drawbar.tissue.winkler import kepler_half_angle, segment
-from laws import FILMS, TISSUES, WHEEL
+from laws import ELASTIC, FILMS, MEMORY, WHEEL
 
-FOAM, COUETTE = TISSUES[0], FILMS[1]
+FOAM, COUETTE = ELASTIC[0], FILMS[1]
 
 
 @given(st.floats(1e-9, np.pi / 2))
@@ -19,7 +20,7 @@ def test_keplers_equation_is_inverted_to_rounding(phi):
     assert kepler_half_angle(segment(phi)) == pytest.approx(phi, rel=2e-14)
 
 
-@pytest.mark.parametrize("tissue", TISSUES, ids=repr)
+@pytest.mark.parametrize("tissue", ELASTIC, ids=repr)
 @given(load=st.floats(-9, 4).map(lambda e: 10.0**e))
 def test_the_sinkage_carries_the_load(tissue, load):
     result = drawbar.steady(WHEEL, tissue, FILMS[0], normal_load=load, speed=0.0, wheel_speed=0.0)
@@ -140,3 +141,43 @@ def test_wrong_input_is_told_what_is_allowed(wrong, sentence):
     right = {"normal_load": 0.2, "speed": 0.02, "speed_ratio": 0.5}
     with pytest.raises((ValueError, TypeError), match=sentence):
         drawbar.steady(WHEEL, FOAM, COUETTE, **(right | wrong))
+
+
+def test_flags_are_raised_where_they_should_be_and_say_so_in_words():
+    """Loads around those at which the axle goes under, k L π r²/2, and the wheel drowns, k L (π/2 + 2) r²."""
+    unit = 225e3 * WHEEL.width * WHEEL.radius**2
+    loads = unit * np.array([0.9 * np.pi / 2, 1.1 * np.pi / 2, 0.9 * (np.pi / 2 + 2), 1.1 * (np.pi / 2 + 2)])
+    result = drawbar.steady(WHEEL, FOAM, COUETTE, normal_load=loads, speed=0.02, speed_ratio=0.5)
+    assert result.flags.values.tolist() == [0, 1, 1, 3]
+    told = explain(result)
+    assert "the axle is below the surface" in told[0]
+    assert "(in 3 of 4)" in told[0]
+    measured = drawbar.Stribeck(
+        boundary_friction_coefficient=0.08, viscosity=1e-3, transition_length=1e-7, film_thickness=1e-5,
+        slip_velocity_range=(0.001, 0.015), pressure_range=(50.0, 1e3),
+    )  # fmt: skip
+    result = drawbar.steady(WHEEL, FOAM, measured, normal_load=[0.02, 0.3], speed=0.02, speed_ratio=[0.9, 0.5])
+    names = result.flags.attrs["flag_meanings"].split()
+    raised = [{n for i, n in enumerate(names) if flags & 2**i} for flags in result.flags.values.tolist()]
+    assert raised == [set(), {"film_speed_out_of_range", "film_pressure_out_of_range"}]
+
+
+@pytest.mark.parametrize("tissue", MEMORY, ids=repr)
+def test_steady_rolling_on_a_tissue_with_memory_balances_its_powers(tissue):
+    result = drawbar.steady(
+        WHEEL, tissue, FILMS[2], speed=0.0254, **drawbar.grid(normal_load=[0.05, 0.1], speed_ratio=[0.5, 1.0, 1.5])
+    )
+    left = result.motor_power - result.drawbar_power - result.film_loss - result.tissue_loss
+    assert float(abs(left / (result.film_loss + result.tissue_loss)).max()) < 1e-6
+    assert np.all(result.rolling_resistance > 0)
+    assert np.all(-result.rear_edge < result.front_edge)
+    state = drawbar.State(sinkage=float(result.sinkage[0, 0]), vx=0.0254, omega=float(result.wheel_speed[0, 0]))
+    assert drawbar.wrench(WHEEL, tissue, FILMS[2], state).reaction == pytest.approx(0.05, rel=1e-8)
+    free = drawbar.steady(WHEEL, tissue, FILMS[1], normal_load=0.1, speed=0.0254, wheel_torque=0.0)
+    assert float(free.wheel_torque) == pytest.approx(0.0, abs=1e-12)
+    assert float(free.drawbar_force) < -float(free.rolling_resistance)
+
+
+def test_a_law_without_an_instant_answer_refuses_deep_contact():
+    with pytest.raises(ValueError, match=r"KelvinVoigt has no finite answer.*Give less load, a wider wheel"):
+        drawbar.steady(WHEEL, MEMORY[0], COUETTE, normal_load=2.0, speed=0.0254, speed_ratio=1.0)

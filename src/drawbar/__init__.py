@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from drawbar.film.couette import Couette as Couette
     from drawbar.film.couette_coulomb import CouetteCoulomb as CouetteCoulomb
     from drawbar.film.frictionless import Frictionless as Frictionless
+    from drawbar.film.power_law_film import PowerLawFilm as PowerLawFilm
+    from drawbar.film.stribeck import Stribeck as Stribeck
     from drawbar.motion.planar import simulate as simulate
     from drawbar.motion.steady import grid as grid
     from drawbar.motion.steady import steady as steady
@@ -35,12 +37,16 @@ if TYPE_CHECKING:
     from drawbar.rig.load import load as load
     from drawbar.rig.plate_test import plate_test as plate_test
     from drawbar.rig.sensors import Sensors as Sensors
-    from drawbar.study.compare import compare as compare
-    from drawbar.study.identify_film import identify_film as identify_film
-    from drawbar.study.identify_stiffness import identify_stiffness as identify_stiffness
-    from drawbar.study.reproduce import reproduce as reproduce
+    from drawbar.study.compare.compare import compare as compare
+    from drawbar.study.identify.film import identify_film as identify_film
+    from drawbar.study.identify.stiffness import identify_stiffness as identify_stiffness
+    from drawbar.study.paper.reproduce import reproduce as reproduce
     from drawbar.tissue.base import Tissue as Tissue
     from drawbar.tissue.filonenko_borodich import FilonenkoBorodich as FilonenkoBorodich
+    from drawbar.tissue.kelvin_voigt import KelvinVoigt as KelvinVoigt
+    from drawbar.tissue.prony import Prony as Prony
+    from drawbar.tissue.spring_pot import SpringPot as SpringPot
+    from drawbar.tissue.standard_linear_solid import StandardLinearSolid as StandardLinearSolid
     from drawbar.tissue.winkler import Winkler as Winkler
     from drawbar.wheel.base import Wheel as Wheel
 
@@ -52,21 +58,27 @@ _HOMES = {
     "Film": "film.base",
     "FilonenkoBorodich": "tissue.filonenko_borodich",
     "Frictionless": "film.frictionless",
+    "PowerLawFilm": "film.power_law_film",
+    "KelvinVoigt": "tissue.kelvin_voigt",
+    "Prony": "tissue.prony",
     "Sensors": "rig.sensors",
+    "SpringPot": "tissue.spring_pot",
+    "StandardLinearSolid": "tissue.standard_linear_solid",
     "State": "contact.wrench",
+    "Stribeck": "film.stribeck",
     "Tissue": "tissue.base",
     "Wheel": "wheel.base",
     "Winkler": "tissue.winkler",
     "Wrench": "contact.wrench",
-    "compare": "study.compare",
+    "compare": "study.compare.compare",
     "drawbar_test": "rig.drawbar_test",
     "find": "catalogue",
     "grid": "motion.steady",
-    "identify_film": "study.identify_film",
-    "identify_stiffness": "study.identify_stiffness",
+    "identify_film": "study.identify.film",
+    "identify_stiffness": "study.identify.stiffness",
     "load": "rig.load",
     "plate_test": "rig.plate_test",
-    "reproduce": "study.reproduce",
+    "reproduce": "study.paper.reproduce",
     "save": "catalogue",
     "simulate": "motion.planar",
     "steady": "motion.steady",

@@ -68,7 +68,7 @@ def reproduce(out: Out = Path("out/reproduce"), force: Force = False) -> None:
 
     with whole_folder(out, force=force) as folder:
         with terminal.progress() as step:
-            from drawbar.study.reproduce import reproduce
+            from drawbar.study.paper.reproduce import reproduce
             from drawbar.view.report import write_report
 
             result = reproduce(step)
@@ -220,7 +220,7 @@ def identify_stiffness(
     force: Force = False,
 ) -> None:
     """Fit a tissue's stiffness to plate tests: mass or force, plate area, deflection."""
-    from drawbar.study.identify_stiffness import identify_stiffness
+    from drawbar.study.identify.stiffness import identify_stiffness
 
     _identify("stiffness", identify_stiffness, logs, (map, set, where), out, force, {})
 
@@ -238,7 +238,7 @@ def identify_film(
     force: Force = False,
 ) -> None:
     """Fit a film's Coulomb and viscous friction to drags of a locked wheel."""
-    from drawbar.study.identify_film import identify_film
+    from drawbar.study.identify.film import identify_film
 
     _identify("film", identify_film, logs, (map, set, where), out, force, {"coulomb": coulomb})
 
@@ -274,7 +274,7 @@ def compare(
 ) -> None:
     """Put a model beside a measurement (--map, --set and --where read the measurement)."""
     from drawbar.files import refuse_existing, write_whole
-    from drawbar.study.compare import compare
+    from drawbar.study.compare.compare import compare
     from drawbar.view import figure, terminal
 
     files = [out / f"compare.{suffix}" for suffix in ("txt", "png", "svg")]
@@ -315,7 +315,7 @@ def load(
 @app.command()
 def logs(out: Out = Path("out/logs"), force: Force = False) -> None:
     """Copy the example logs, one of each kind, made by the virtual rig and labelled as such."""
-    from drawbar.study.examples import copy_examples
+    from drawbar.study.paper.examples import copy_examples
     from drawbar.view import terminal
 
     terminal.say(f"written: {', '.join(map_to_text(copy_examples(out, force=force)))}")
@@ -351,7 +351,7 @@ def _pairs(option: str, given: list[str] | None) -> dict[str, str]:
 
 def _tolerance(given: list[str] | None) -> float | dict[str, float]:
     """One number for all settings, or numbers by setting; nothing is the study's own default."""
-    from drawbar.study.compare import TOLERANCE
+    from drawbar.study.compare.compare import TOLERANCE
     from drawbar.units import si
 
     if given is not None and len(given) == 1 and "=" not in given[0]:

@@ -5,6 +5,11 @@ A tissue, film or wheel is named on a command line in one of three ways::
     foam-2004                               a preset
     fitted-liver.toml                       a file, as written by an identification
     "Winkler(stiffness=225 kPa/m)"          a law with its quantities, units allowed
+
+A quantity that is a series of numbers stands in brackets, on the command line as in a file, each number with
+its own unit or in SI (in a file, quote what has a unit)::
+
+    "Prony(stiffness=100 kPa/m, branch_stiffnesses=[1e5, 2e5], relaxation_times=[100 ms, 1 s])"
 """
 
 from __future__ import annotations
@@ -23,7 +28,7 @@ import drawbar.tissue
 import drawbar.wheel
 from drawbar.files import write_whole
 from drawbar.film.base import Film
-from drawbar.quantity import parameters, quantities
+from drawbar.quantity import Quantity, parameters, quantities
 from drawbar.rig.sensors import Sensors
 from drawbar.tissue.base import Tissue
 from drawbar.units import si
@@ -35,6 +40,7 @@ __all__ = ["KINDS", "find", "laws", "presets", "save", "sensors", "to_toml"]
 KINDS: dict[str, type] = {"tissue": Tissue, "film": Film, "wheel": Wheel}
 
 _CALL = re.compile(r"\s*([A-Za-z_]\w*)\s*\((.*)\)\s*$", re.DOTALL)
+_COMMA = re.compile(r",(?![^\[(]*[\])])")  # one that is not inside brackets
 
 
 def laws(kind: str) -> dict[str, type]:
@@ -98,7 +104,7 @@ def sensors(given: str | None) -> Sensors:
 
 def _arguments(text: str, whole: str) -> dict[str, str]:
     arguments = {}
-    for part in filter(None, (p.strip() for p in text.split(","))):
+    for part in filter(None, (p.strip() for p in _COMMA.split(text))):
         name, equals, number = part.partition("=")
         if not equals:
             raise ValueError(f"'{part}' in '{whole}' is not name=number. Write for example stiffness=225 kPa/m.")
@@ -130,9 +136,18 @@ def _fill(law: type, arguments: dict[str, Any], where: str) -> Any:
         example = ", ".join(f"{n}=... {declared[n].unit}" for n in missing)
         raise ValueError(f"{law.__name__} in {where} lacks {', '.join(missing)}. Add {example}.")
     try:
-        return law(**{name: si(v, declared[name].unit) for name, v in arguments.items()})
+        return law(**{name: _number(v, declared[name]) for name, v in arguments.items()})
     except (TypeError, ValueError) as error:
         raise ValueError(f"{where}: {error}") from None
+
+
+def _number(given: Any, declared: Quantity) -> Any:
+    """A number in SI, or a tuple of them for a series."""
+    if not declared.series:
+        return si(given, declared.unit)
+    if isinstance(given, str):
+        given = [one for one in (p.strip() for p in given.strip().strip("[]()").split(",")) if one]
+    return tuple(si(one, declared.unit) for one in given) if isinstance(given, list) else given
 
 
 def _from_toml(kind: str, path: Path) -> Any:
@@ -164,7 +179,8 @@ def to_toml(kind: str, law: Any, *, comments: tuple[str, ...] = ()) -> str:
     lines += [f"[{kind}]", f'law = "{type(law).__name__}"']
     for (name, quantity), number in zip(quantities(law).items(), parameters(law), strict=True):
         if number is not None:
-            lines.append(f"{name} = {float(number)!r}  # {quantity.unit}")
+            written = list(number) if quantity.series else float(number)
+            lines.append(f"{name} = {written!r}  # {quantity.unit}")
     return "\n".join(lines) + "\n"
 
 

@@ -39,6 +39,8 @@ class Quantity:
     minimum: float = -math.inf
     above: float = -math.inf
     maximum: float = math.inf
+    below: float = math.inf
+    series: bool = False
 
     @property
     def allowed(self) -> str:
@@ -51,6 +53,8 @@ class Quantity:
             limits.append(f">= {self.minimum:g}{unit}")
         if self.maximum < math.inf:
             limits.append(f"<= {self.maximum:g}{unit}")
+        if self.below < math.inf:
+            limits.append(f"< {self.below:g}{unit}")
         return " and ".join(limits) or f"a finite number{unit and ' in' + unit}"
 
 
@@ -64,17 +68,19 @@ def quantity(
     minimum: float = -math.inf,
     above: float = -math.inf,
     maximum: float = math.inf,
+    below: float = math.inf,
+    series: bool = False,
     default: Any = dataclasses.MISSING,
 ) -> Any:
     """Declare a field of a :func:`value` as a physical quantity in an SI ``unit``.
 
-    ``above`` is a strict lower bound, ``minimum`` and ``maximum`` include the bound. ``meaning``
+    ``above`` and ``below`` are strict bounds, ``minimum`` and ``maximum`` include the bound. ``meaning``
     completes "It is ..."; ``advice`` says what to do when the check fails; ``source`` says where a
-    default comes from.
+    default comes from. A ``series`` is a tuple of numbers, each within the bounds, kept as one entry.
     """
     declared = Quantity(
         unit=unit, symbol=symbol, meaning=meaning, advice=advice, source=source,
-        minimum=minimum, above=above, maximum=maximum,
+        minimum=minimum, above=above, maximum=maximum, below=below, series=series,
     )  # fmt: skip
     return dataclasses.field(default=default, metadata={"quantity": declared})
 
@@ -82,7 +88,8 @@ def quantity(
 def check(name: str, given: Any, declared: Quantity) -> Any:
     """Return ``given`` as a float or a float array, or raise a sentence that says what is wrong.
 
-    Arrays (NumPy or anything that behaves like one) are kept as they are and checked throughout.
+    Arrays (NumPy or anything that behaves like one) are kept as they are and checked throughout; of a
+    series a tuple of floats is kept.
 
     Raises
     ------
@@ -91,6 +98,8 @@ def check(name: str, given: Any, declared: Quantity) -> Any:
     ValueError
         A value is NaN, infinite or out of bounds.
     """
+    if declared.series:
+        return _series(name, given, declared)
     if isinstance(given, (list, tuple)):
         given = np.asarray(given)
     if isinstance(given, (str, bytes, bool)) or given is None or not hasattr(np.asarray(given).dtype, "kind"):
@@ -99,11 +108,20 @@ def check(name: str, given: Any, declared: Quantity) -> Any:
     if numbers.dtype.kind not in "fiu":
         raise TypeError(_sentence(name, declared, repr(given)) + f" Give a number in {declared.unit}.")
     bad = ~np.isfinite(numbers)
-    bad |= (numbers < declared.minimum) | (numbers <= declared.above) | (numbers > declared.maximum)
+    bad |= (numbers < declared.minimum) | (numbers <= declared.above)
+    bad |= (numbers > declared.maximum) | (numbers >= declared.below)
     if np.any(bad):
         first = numbers[bad].flat[0] if numbers.ndim else numbers[()]
         raise ValueError(_sentence(name, declared, f"{first:g}"))
     return float(given) if numbers.ndim == 0 and not hasattr(given, "dims") else given
+
+
+def _series(name: str, given: Any, declared: Quantity) -> tuple[float, ...]:
+    if not isinstance(given, (list, tuple, np.ndarray)) or np.ndim(given) != 1 or len(given) == 0:
+        unit = "" if declared.unit == "1" else f" in {declared.unit}"
+        raise TypeError(f"{name} must be a tuple of numbers{unit}, got {given!r}. Write a single number x as (x,).")
+    one = dataclasses.replace(declared, series=False)
+    return tuple(float(check(f"{name}[{i}]", number, one)) for i, number in enumerate(given))
 
 
 def _sentence(name: str, declared: Quantity, given: str) -> str:

@@ -67,6 +67,8 @@ VARIABLES: dict[str, Quantity] = {
     "motor_power": _q("W", "", "wheel torque times wheel speed"),
     "drawbar_power": _q("W", "", "drawbar force times slide speed"),
     "film_loss": _q("W", "", "power that the film turns into heat, >= 0"),
+    "tissue_loss": _q("W", "", "power that the tissue turns into heat, under the wheel and behind it, >= 0"),
+    "flags": _q("1", "", "conditions worth knowing, as a bit mask"),
     "tractive_efficiency": _q("1", "", "drawbar power over motor power, where both are positive"),
     # energies of a transient, since its start
     "motor_work": _q("J", "", "work of the motor"),

@@ -16,7 +16,7 @@ from collections.abc import Callable
 from types import CodeType, FunctionType
 from typing import Any
 
-from drawbar.elementwise import one_where, where
+from drawbar.elementwise import TWINS
 
 __all__ = ["bind", "unbound"]
 
@@ -52,8 +52,7 @@ def _compile(function: FunctionType) -> Any:
     """The compiled function: its plain callees compiled first, then itself under a name of its content."""
     import numba  # late: it takes a tenth of a second, and plain runs never need it
 
-    if function is where:
-        function = one_where
+    function = TWINS.get(function, function)
     callees = {name: _compile(called) for name, called in _callees(function).items()}
     named = _copy(function, callees, f"{function.__name__}_{_digest(function)}")
     try:
@@ -73,6 +72,7 @@ def _callees(function: FunctionType) -> dict[str, FunctionType]:
     """The plain Python functions that a function calls by a global name."""
     loads = (i.argval for i in dis.get_instructions(function.__code__) if i.opname == "LOAD_GLOBAL")
     named = {name: function.__globals__.get(name) for name in loads}
+    named = {name: getattr(f, "py_func", f) for name, f in named.items()}  # also those compiled before
     return {name: f for name, f in named.items() if isinstance(f, FunctionType)}
 
 

@@ -14,6 +14,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from drawbar.contact.bind import bind, unbound
+from drawbar.contact.power_law import power_forces
+from drawbar.contact.rolling import rolling_forces
 from drawbar.elementwise import where
 from drawbar.film.base import Film
 from drawbar.tissue.base import Tissue
@@ -31,15 +33,21 @@ WEIGHTS = 0.5 * _weights
 
 
 class Forces(NamedTuple):
-    """What a contact does, per operating point. Forces in N, torque in N m, powers in W."""
+    """What a contact does, per operating point. Angles in rad, forces in N, torque in N m, powers in W.
 
-    half_angle: Any
+    The front is where the wheel is going, also in reverse; ``resistance`` is along the heading, against
+    the motion.
+    """
+
+    front: Any
+    rear: Any
     reaction: Any
     traction_force: Any
-    rolling_resistance: Any
+    resistance: Any
     side_force: Any
     wheel_torque: Any
     film_loss: Any
+    tissue_loss: Any
     peak_pressure: Any
 
 
@@ -134,12 +142,14 @@ def contact_forces(
     peak = where(half > 0.0, np.maximum(bottom, edge), 0.0)
     return (
         half,
+        -half,
         width * (normal + upward),
         width * along,
         width * resistance,
         width * side,
         width * torque,
         width * loss,
+        0.0 * loss,
         peak,
     )
 
@@ -159,7 +169,13 @@ def stored_energy(sinkage: Any, radius: Any, width: Any, tissue: Any) -> Any:
 
 
 def contact_kernel(tissue: type[Tissue], film: type[Film], *, compiled: bool = False) -> Any:
-    """:func:`contact_forces` for two laws, by their exact integrals where they give them."""
+    """The contact of two laws: :func:`contact_forces`, by their exact integrals where they give them, or
+    :func:`drawbar.contact.rolling.rolling_forces` or :func:`drawbar.contact.power_law.power_forces` for a
+    tissue with memory."""
+    if tissue.spectrum is not None:
+        return bind(rolling_forces, compiled=compiled, spectrum=tissue.spectrum, shear_stress=film.shear_stress)
+    if tissue.power_law is not None:
+        return bind(power_forces, compiled=compiled, power_law=tissue.power_law, shear_stress=film.shear_stress)
     if tissue.support is not None:
         bound_support = bind(support_exact, compiled=compiled, exact_support=tissue.support)
     else:

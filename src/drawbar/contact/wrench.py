@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 
 from drawbar.contact.kernel import Forces, contact_kernel
+from drawbar.elementwise import where
 from drawbar.film.base import Film
 from drawbar.quantity import parameters, quantity, value
 from drawbar.tissue.base import Tissue
 from drawbar.wheel.base import Wheel
 
-__all__ = ["State", "Wrench", "wrench"]
+__all__ = ["State", "Wrench", "refuse_deep", "wrench"]
 
 
 @value
@@ -37,7 +38,7 @@ class Wrench:
     reaction: Any
     """upward force on the wheel"""
     drawbar_force: Any
-    """force along the heading on the wheel, ``traction_force - rolling_resistance``"""
+    """force along the heading on the wheel: traction less what the tissue resists, against the motion"""
     traction_force: Any
     """the film's part of it, positive when it pulls"""
     rolling_resistance: Any
@@ -48,14 +49,29 @@ class Wrench:
     """what the motor must give to hold the wheel speed, positive when driving forward"""
     film_loss: Any
     """power that the film turns into heat, >= 0"""
+    tissue_loss: Any
+    """power that the tissue turns into heat, under the wheel and while it recovers behind it, >= 0"""
     peak_pressure: Any
     """highest contact pressure"""
     contact_half_angle: Any
-    """angle from the lowest point to the contact's edge [rad]"""
+    """angle from the lowest point to the contact's leading edge [rad]"""
     front_edge: Any
     """x of the front edge from below the axle [m], >= 0"""
     rear_edge: Any
     """x of the rear edge from below the axle [m], <= 0"""
+
+
+def refuse_deep(tissue: Tissue, depth: Any) -> None:
+    """Raise ValueError where a law without an instant answer meets the vertical face of deep contact.
+
+    ``depth`` is the sinkage over the wheel's radius.
+    """
+    if not tissue.deep and np.any(np.asarray(depth) > 1.0):
+        raise ValueError(
+            f"{type(tissue).__name__} has no finite answer to the sudden indentation by the vertical face of deep "
+            f"contact: the wheel sinks {np.max(depth):.3g} radii. Give less load, a wider wheel, or a law with an "
+            "instant stiffness, such as StandardLinearSolid or Prony."
+        )
 
 
 def wrench(wheel: Wheel, tissue: Tissue, film: Film, state: State, ground: None = None) -> Wrench:
@@ -72,8 +88,10 @@ def wrench(wheel: Wheel, tissue: Tissue, film: Film, state: State, ground: None 
     ``film_loss``         L r ∫ τ V dθ
     ====================  =============================================
 
-    all from -φ to φ. The sum runs over nodes, or is the law's exact integral where it has one. With
-    sideways motion v_y the shear stress acts against the whole slip velocity (V, -v_y).
+    all over the contact, from -φ to φ for an elastic tissue. The sum runs over nodes, or is the law's
+    exact integral where it has one. With sideways motion v_y the shear stress acts against the whole
+    slip velocity (V, -v_y). A tissue with memory resists by ``rolling_resistance`` against the motion;
+    ``tissue_loss`` is what its dashpots and its recovery behind the wheel turn into heat.
 
     Parameters
     ----------
@@ -82,7 +100,8 @@ def wrench(wheel: Wheel, tissue: Tissue, film: Film, state: State, ground: None 
     state
         The motion; out of contact (sinkage <= 0) every force is zero: there is no suction.
     ground
-        What the tissue remembers. The laws here are elastic and remember nothing: None.
+        What the tissue remembers. Without it (None) a tissue with memory is taken as rolling steadily at v_x:
+        its columns come undeformed to the front edge and leave where the pressure falls to zero.
 
     Raises
     ------
@@ -99,23 +118,27 @@ def wrench(wheel: Wheel, tissue: Tissue, film: Film, state: State, ground: None 
     """
     if ground is not None:
         raise ValueError(
-            f"ground must be None for {type(tissue).__name__}: an elastic tissue remembers nothing. Leave it out."
+            f"ground must be None for {type(tissue).__name__}: an elastic tissue remembers nothing, and one with "
+            "memory is taken as rolling steadily. Leave it out; drawbar.simulate follows what a tissue remembers."
         )
     numbers = [np.asarray(getattr(state, f.name), dtype=float)[()] for f in dataclasses.fields(state)]
     sinkage, _, vx, vy, omega = numbers
+    refuse_deep(tissue, sinkage / wheel.radius)
     kernel = contact_kernel(type(tissue), type(film))
     f = Forces(*kernel(sinkage, vx, vy, omega, wheel.radius, wheel.width, parameters(tissue), parameters(film)))
-    half_width = wheel.radius * np.sin(f.half_angle)
+    leading, trailing = wheel.radius * np.sin(f.front), wheel.radius * np.sin(f.rear)
+    forward = np.asarray(vx) >= 0.0
     return Wrench(
         reaction=f.reaction,
-        drawbar_force=f.traction_force - f.rolling_resistance,
+        drawbar_force=f.traction_force - f.resistance,
         traction_force=f.traction_force,
-        rolling_resistance=f.rolling_resistance,
+        rolling_resistance=np.abs(f.resistance),
         side_force=f.side_force,
         wheel_torque=f.wheel_torque,
         film_loss=f.film_loss,
+        tissue_loss=f.tissue_loss,
         peak_pressure=f.peak_pressure,
-        contact_half_angle=f.half_angle,
-        front_edge=half_width,
-        rear_edge=-half_width,
+        contact_half_angle=f.front,
+        front_edge=where(forward, leading, -trailing),
+        rear_edge=where(forward, trailing, -leading),
     )

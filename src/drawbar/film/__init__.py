@@ -4,5 +4,7 @@ from drawbar.film.base import Film
 from drawbar.film.couette import Couette
 from drawbar.film.couette_coulomb import CouetteCoulomb
 from drawbar.film.frictionless import Frictionless
+from drawbar.film.power_law_film import PowerLawFilm
+from drawbar.film.stribeck import Stribeck
 
-__all__ = ["Couette", "CouetteCoulomb", "Film", "Frictionless"]
+__all__ = ["Couette", "CouetteCoulomb", "Film", "Frictionless", "PowerLawFilm", "Stribeck"]

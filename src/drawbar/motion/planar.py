@@ -12,7 +12,7 @@ from scipy.integrate import odeint
 from drawbar.contact.bind import bind, unbound
 from drawbar.contact.kernel import Forces, contact_kernel, energy_kernel
 from drawbar.film.base import Film
-from drawbar.motion.steady import one_drive, sinkage_under_load
+from drawbar.motion.steady import one_drive, steady
 from drawbar.quantity import check, parameters
 from drawbar.tissue.base import Tissue
 from drawbar.variables import VARIABLES, declare
@@ -34,19 +34,21 @@ def rates(y: Any, t: float, out: Any, numbers: Any) -> Any:
     held by the carriage (or motor), which then gives whatever force (or torque) that takes.
     """
     load, damper, hold_speed, pull, hold_wheel, torque, mass, inertia, radius, width, tissue, film = numbers
-    f = contact(y[0], y[3], 0.0, y[5], radius, width, tissue, film)
-    drawbar = f[2] - f[3] if hold_speed else pull
-    motor = f[5] if hold_wheel else torque
+    forces = contact(y[0], y[3], 0.0, y[5], radius, width, tissue, film)
+    _, _, reaction, traction, resistance, _, shear_torque, film_loss, _, _ = forces
+    net = traction - resistance
+    drawbar = net if hold_speed else pull
+    motor = shear_torque if hold_wheel else torque
     out[0] = y[1]
-    out[1] = (load - f[1] - damper * y[1]) / mass
+    out[1] = (load - reaction - damper * y[1]) / mass
     out[2] = y[3]
-    out[3] = (f[2] - f[3] - drawbar) / mass
+    out[3] = (net - drawbar) / mass
     out[4] = y[5]
-    out[5] = (motor - f[5]) / inertia
+    out[5] = (motor - shear_torque) / inertia
     out[6] = motor * y[5]
     out[7] = load * y[1]
     out[8] = drawbar * y[3]
-    out[9] = f[6]
+    out[9] = film_loss
     out[10] = damper * y[1] * y[1]
     return out
 
@@ -129,6 +131,11 @@ def simulate(
     >>> round(float(run.drawbar_force[-1]), 4)
     0.0883
     """
+    if tissue.remembers():
+        raise ValueError(
+            f"simulate takes an elastic tissue, and {type(tissue).__name__} remembers. "
+            "Give Winkler or FilonenkoBorodich, or see steady for how it rolls."
+        )
     drive, given = one_drive(speed_ratio=speed_ratio, wheel_speed=wheel_speed, wheel_torque=wheel_torque)
     if speed is None and drawbar_force is None:
         raise ValueError("give speed (imposed by the carriage) or drawbar_force (what the wheel pulls).")
@@ -163,11 +170,8 @@ def simulate(
     y0 = np.zeros(len(STATE))
     y0[3], y0[5] = v, omega
     if start == "equilibrium":
-        one = np.ones(1)
-        y0[0] = sinkage_under_load(
-            type(tissue), one * settings["normal_load"], one * wheel.radius, one * wheel.width,
-            tuple(one * x for x in of_tissue),
-        )[0]  # fmt: skip
+        rolling = steady(wheel, tissue, film, normal_load=settings["normal_load"], speed=v, wheel_speed=omega)
+        y0[0] = float(rolling.sinkage)
     y = _integrate(_compiled_rates(type(tissue), type(film)), y0, time, numbers, tolerance)
     return _dataset(wheel, tissue, film, time, y, numbers, {"start": start, "tolerance": tolerance})
 
@@ -218,12 +222,12 @@ def _dataset(
     kinetic = 0.5 * mass * (state["sink_rate"] ** 2 + v**2) + 0.5 * inertia * omega**2
     data: dict[str, Any] = {
         **state,
-        "drawbar_force": f.traction_force - f.rolling_resistance if hold_speed else np.full_like(time, pull),
+        "drawbar_force": f.traction_force - f.resistance if hold_speed else np.full_like(time, pull),
         "traction_force": f.traction_force,
-        "rolling_resistance": f.rolling_resistance,
+        "rolling_resistance": np.abs(f.resistance),
         "wheel_torque": f.wheel_torque if hold_wheel else np.full_like(time, torque),
         "reaction": f.reaction,
-        "contact_half_angle": f.half_angle,
+        "contact_half_angle": f.front,
         "peak_pressure": f.peak_pressure,
         "film_loss": f.film_loss,
         "elastic_energy": elastic,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -10,14 +11,15 @@ import xarray as xr
 from scipy.optimize import elementwise
 
 from drawbar.contact.kernel import Forces, contact_kernel
+from drawbar.contact.wrench import refuse_deep
 from drawbar.film.base import Film
-from drawbar.film.frictionless import Frictionless
+from drawbar.motion.flags import attributes, raised
 from drawbar.quantity import check, parameters, quantities
 from drawbar.tissue.base import Tissue
 from drawbar.variables import VARIABLES, declare
 from drawbar.wheel.base import Wheel
 
-__all__ = ["grid", "one_drive", "sinkage_under_load", "steady"]
+__all__ = ["grid", "one_drive", "steady"]
 
 BLOCK = 16384  # operating points at a time: a dozen arrays of them stay in a core's cache
 
@@ -68,8 +70,10 @@ def steady(
     xarray.Dataset
         SI, each variable with ``units``: ``sinkage``, ``contact_half_angle``, ``front_edge``,
         ``rear_edge``, ``drawbar_force``, ``traction_force``, ``rolling_resistance``, ``wheel_torque``,
-        ``peak_pressure``, ``motor_power``, ``drawbar_power``, ``film_loss``, ``tractive_efficiency``,
-        ``slip``; the settings are coordinates.
+        ``peak_pressure``, ``motor_power``, ``drawbar_power``, ``film_loss``, ``tissue_loss``,
+        ``tractive_efficiency``, ``slip``, and ``flags``, a bit mask of conditions worth knowing
+        (:func:`drawbar.motion.flags.explain` says them in words); the settings are coordinates. Motor power is
+        drawbar power, film loss and tissue loss.
 
     Raises
     ------
@@ -91,13 +95,13 @@ def steady(
     settings = {"normal_load": normal_load, "slide_speed": speed, drive: given}
     settings = {name: check(name, v, VARIABLES[name]) for name, v in settings.items()}
     laws = {"wheel_radius": wheel.radius, "wheel_width": wheel.width}
-    laws |= dict(zip(quantities(tissue), parameters(tissue), strict=True))
-    laws |= dict(zip(quantities(film), parameters(film), strict=True))
+    for law in (tissue, film):
+        laws |= {n: v for n, v in zip(quantities(law), parameters(law), strict=True) if not isinstance(v, tuple)}
 
     arrays = _named(settings | laws)
     full = xr.broadcast(*arrays.values())
     flat = {name: a.values.reshape(-1) for name, a in zip(arrays, full, strict=True)}
-    results = _in_blocks(lambda block: _solve(type(tissue), type(film), drive, block), flat)
+    results = _in_blocks(lambda numbers: _solve(_Block(tissue, film, numbers), drive), flat)
 
     dims, shape = full[0].dims, full[0].shape
     data: dict[str, Any] = {name: (dims, a.reshape(shape)) for name, a in results.items()}
@@ -105,12 +109,15 @@ def steady(
     coords = [n for n in data if n in arrays or n in ("speed_ratio", "wheel_speed", "slip")]
     names = {"wheel_law": _name(wheel), "tissue_law": _name(tissue), "film_law": _name(film)}
     declared = {**quantities(tissue), **quantities(film)}
-    return declare(data, coords=coords, attrs={**names, "motion": "steady"}, extra=declared)
+    dataset = declare(data, coords=coords, attrs={**names, "motion": "steady"}, extra=declared)
+    dataset["flags"] = dataset["flags"].astype(np.int32).assign_attrs(attributes())
+    return dataset
 
 
 def _name(law: Any) -> str:
     """How a law is written, or its class alone where its numbers are arrays (they are coordinates)."""
-    return repr(law) if not any(np.ndim(v) for v in parameters(law)) else type(law).__name__
+    varies = any(np.ndim(v) for v in parameters(law) if not isinstance(v, tuple))
+    return type(law).__name__ if varies else repr(law)
 
 
 def one_drive(**drives: Any) -> tuple[str, Any]:
@@ -171,67 +178,119 @@ def _in_blocks(solve: Callable[[dict[str, Any]], dict[str, Any]], flat: dict[str
     return results
 
 
-def _solve(tissue: type[Tissue], film: type[Film], drive: str, p: dict[str, Any]) -> dict[str, Any]:
-    """One block of operating points, everything 1-d, by name."""
-    kernel = contact_kernel(tissue, film)
-    radius, width, v = p["wheel_radius"], p["wheel_width"], p["slide_speed"]
-    of_tissue = tuple(p[name] for name in quantities(tissue))
-    of_film = tuple(p[name] for name in quantities(film))
-    sinkage = sinkage_under_load(tissue, p["normal_load"], radius, width, of_tissue)
-    if drive == "speed_ratio":
-        omega = v / (radius * p["speed_ratio"])
-    elif drive == "wheel_speed":
-        omega = p["wheel_speed"]
-    else:
-        omega = _omega_under_torque(kernel, p["wheel_torque"], sinkage, v, radius, width, of_tissue, of_film)
-    f = Forces(*kernel(sinkage, v, 0.0, omega, radius, width, of_tissue, of_film))
-    drawbar = f.traction_force - f.rolling_resistance
+@dataclasses.dataclass(frozen=True)
+class _Block:
+    """A block of operating points: two laws, and every number that varies as a 1-d array by name."""
+
+    tissue: Tissue
+    film: Film
+    numbers: Mapping[str, np.ndarray]
+
+    def of(self, law: Tissue | Film, pick: Any = slice(None)) -> tuple[Any, ...]:
+        """A law's numbers at some of the points; a series is the same at all of them."""
+        names = quantities(law)
+        return tuple(self.numbers[n][pick] if n in self.numbers else getattr(law, n) for n in names)
+
+    def forces(self, sinkage: Any, omega: Any, pick: Any = slice(None)) -> Forces:
+        """The contact at a sinkage and wheel speed, at all of the points or those picked.
+
+        A tissue with memory is marched through the contact panel by panel: compiled and point by point
+        that is faster than on arrays, at any number of points.
+        """
+        tissue, film = type(self.tissue), type(self.film)
+        v, radius, width = (self.numbers[n][pick] for n in ("slide_speed", "wheel_radius", "wheel_width"))
+        laws = self.of(self.tissue, pick), self.of(self.film, pick)
+        if not tissue.remembers():
+            return Forces(*contact_kernel(tissue, film)(sinkage, v, 0.0, omega, radius, width, *laws))
+        kernel = contact_kernel(tissue, film, compiled=True)
+        state = np.broadcast_arrays(sinkage, v, 0.0, omega, radius, width)
+        points = zip(*(a.tolist() for a in state), _rows(laws[0], v.size), _rows(laws[1], v.size), strict=True)
+        return Forces(*np.array([kernel(*point) for point in points]).reshape(-1, len(Forces._fields)).T)
+
+
+def _rows(numbers: tuple[Any, ...], count: int) -> list[tuple[Any, ...]]:
+    """A law's numbers point by point; a series, itself a tuple, goes along whole."""
+    columns = [[x] * count if isinstance(x, tuple) else x.tolist() for x in numbers]
+    return list(zip(*columns, strict=True)) if columns else [()] * count
+
+
+def _solve(block: _Block, drive: str) -> dict[str, Any]:
+    """Steady rolling at every point of a block, by name."""
+    radius, v = block.numbers["wheel_radius"], block.numbers["slide_speed"]
+    sinkage, omega = _balance(block, drive)
+    refuse_deep(block.tissue, sinkage / radius)
+    f = block.forces(sinkage, omega)
+    drawbar = f.traction_force - f.resistance
     motor, pull = f.wheel_torque * omega, drawbar * v
     rim = radius * omega
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.where(rim != 0.0, v / rim, np.nan)
         efficiency = np.where((pull > 0.0) & (motor > 0.0), pull / motor, np.nan)
-    half_width = radius * np.sin(f.half_angle)
-    return {
-        "sinkage": sinkage, "contact_half_angle": f.half_angle,
-        "front_edge": half_width, "rear_edge": -half_width,
+    leading, trailing = radius * np.sin(f.front), radius * np.sin(f.rear)
+    columns = {
+        "sinkage": sinkage, "contact_half_angle": f.front,
+        "front_edge": np.where(v >= 0.0, leading, -trailing), "rear_edge": np.where(v >= 0.0, trailing, -leading),
         "drawbar_force": drawbar, "traction_force": f.traction_force,
-        "rolling_resistance": f.rolling_resistance, "wheel_torque": f.wheel_torque,
+        "rolling_resistance": np.abs(f.resistance), "wheel_torque": f.wheel_torque,
         "peak_pressure": f.peak_pressure, "motor_power": motor, "drawbar_power": pull,
-        "film_loss": f.film_loss, "tractive_efficiency": efficiency,
+        "film_loss": f.film_loss, "tissue_loss": f.tissue_loss, "tractive_efficiency": efficiency,
         "speed_ratio": ratio, "wheel_speed": omega, "slip": 1.0 - ratio,
     }  # fmt: skip
+    return columns | {"flags": raised({**block.numbers, **columns}, block.tissue, block.film)}
 
 
-def sinkage_under_load(tissue: type[Tissue], load: Any, radius: Any, width: Any, numbers: tuple[Any, ...]) -> Any:
-    """Sinkage [m] that carries a load [N]: the law's own inverse, or a bracketed root of its support."""
-    if tissue.sinkage_under is not None:
-        return tissue.sinkage_under(load / width, radius, *numbers)
-    kernel = contact_kernel(tissue, Frictionless)
+def _balance(block: _Block, drive: str) -> tuple[Any, Any]:
+    """Sinkage and wheel speed at which the load is carried and the drive is as imposed.
 
-    def excess(sinkage: Any, load: Any, radius: Any, width: Any, *numbers: Any) -> Any:
-        return kernel(sinkage, 0.0, 0.0, 0.0, radius, width, numbers, ())[1] - load
+    An elastic tissue's sinkage does not depend on the wheel speed. With memory the contact is not
+    symmetric and the film's shear lifts a little, so the two are found in turn: a contraction, since the
+    lift is a small part of the load.
+    """
+    radius, v = block.numbers["wheel_radius"], block.numbers["slide_speed"]
+    if drive != "wheel_torque":
+        omega = block.numbers["wheel_speed"] if drive == "wheel_speed" else v / (radius * block.numbers["speed_ratio"])
+        return _sinkage_under_load(block, omega), omega
+    omega = v / radius
+    sinkage = _sinkage_under_load(block, omega)
+    for _ in range(50):
+        omega = _omega_under_torque(block, sinkage)
+        before, sinkage = sinkage, _sinkage_under_load(block, omega)
+        if np.all(np.abs(sinkage - before) <= 1e-12 * radius):
+            break
+    return sinkage, omega
 
-    return _root(excess, 0.0 * radius, 0.1 * radius, (load, radius, width, *numbers), "sinkage")
+
+def _sinkage_under_load(block: _Block, omega: Any) -> Any:
+    """Sinkage [m] that carries the load: the law's own inverse, or a bracketed root of the reaction."""
+    load, radius = block.numbers["normal_load"], block.numbers["wheel_radius"]
+    if block.tissue.sinkage_under is not None:
+        return block.tissue.sinkage_under(load / block.numbers["wheel_width"], radius, *block.of(block.tissue))
+
+    def excess(stretched: Any, points: Any) -> Any:
+        pick = points.astype(int)  # the root finder goes on with those points that need it
+        sinkage = radius[pick] * stretched ** (2.0 / 3.0)
+        return block.forces(sinkage, omega[pick], pick).reaction - load[pick]
+
+    # The load grows about as the sinkage to the power 3/2, so over that power it is nearly a line.
+    one = np.ones_like(radius)
+    return radius * _root(excess, 0.0 * one, 0.3 * one, "sinkage") ** (2.0 / 3.0)
 
 
-def _omega_under_torque(
-    kernel: Any, torque: Any, sinkage: Any, v: Any, radius: Any, width: Any, of_tissue: Any, of_film: Any
-) -> Any:
+def _omega_under_torque(block: _Block, sinkage: Any) -> Any:
     """Wheel speed [rad/s] at which the film takes the motor's torque: torque rises with wheel speed."""
+    torque, rolling = block.numbers["wheel_torque"], block.numbers["slide_speed"] / block.numbers["wheel_radius"]
 
-    def excess(omega: Any, torque: Any, sinkage: Any, v: Any, radius: Any, width: Any, *numbers: Any) -> Any:
-        of_tissue, of_film = numbers[:count], numbers[count:]
-        return Forces(*kernel(sinkage, v, 0.0, omega, radius, width, of_tissue, of_film)).wheel_torque - torque
+    def excess(omega: Any, points: Any) -> Any:
+        pick = points.astype(int)
+        return block.forces(sinkage[pick], omega, pick).wheel_torque - torque[pick]
 
-    count = len(of_tissue)
-    rolling, reach = v / radius, np.abs(v / radius) + 1.0
-    args = (torque, sinkage, v, radius, width, *of_tissue, *of_film)
-    return _root(excess, rolling - reach, rolling + reach, args, "wheel speed")
+    reach = np.abs(rolling) + 1.0
+    return _root(excess, rolling - reach, rolling + reach, "wheel speed")
 
 
-def _root(excess: Callable[..., Any], low: Any, high: Any, args: tuple[Any, ...], what: str) -> Any:
+def _root(excess: Callable[..., Any], low: Any, high: Any, what: str) -> Any:
     lowest = low if what == "sinkage" else None
+    args = (np.arange(float(low.size)),)
     start = elementwise.bracket_root(excess, low, high, xmin=lowest, args=args, maxiter=60)
     found = elementwise.find_root(excess, start.bracket, args=args)
     bad = ~(start.success & found.success)

@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 
 from drawbar.film.base import Film
+from drawbar.motion.flags import explain
 from drawbar.motion.planar import simulate
 from drawbar.motion.steady import grid, one_drive, steady
 from drawbar.quantity import quantities
@@ -89,7 +90,7 @@ def drawbar_test(
     axes = {"normal_load": normal_load, "speed": speed, drive: given}
     settings: dict[str, Any] = grid(**axes)
     truth = _histories if history else _means
-    runs, samples = truth(wheel, tissue, film, settings, travel, sensors, damper)
+    runs, samples, notes = truth(wheel, tissue, film, settings, travel, sensors, damper)
     measured = [
         _measure(runs, samples, trial, sensors, np.random.default_rng([seed, trial])) for trial in range(repeats)
     ]
@@ -101,6 +102,8 @@ def drawbar_test(
         columns[name] = np.full(columns["trial"].shape, label)
     attrs = {"wheel_law": repr(wheel), "tissue_law": repr(tissue), "film_law": repr(film), "origin": "virtual rig",
              "seed": seed, **{f"sensor_{n}": getattr(sensors, n) for n in quantities(sensors)}}  # fmt: skip
+    if notes:
+        attrs["notes"] = "; ".join(notes)
     if history:
         attrs["damping"] = f"lever damper {damper:g} N s/m" if damper else "nothing damps the settling"
     names = [n for n in ("wheel", "tissue", "film", "trial") if n in columns]
@@ -156,13 +159,14 @@ def _means(
     travel: float,
     sensors: Sensors,
     _: float,
-) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """The true steady values of each setting, and how many samples its mean holds."""
-    rows = tidy(steady(wheel, tissue, film, **settings))
+) -> tuple[dict[str, np.ndarray], np.ndarray, list[str]]:
+    """The true steady values of each setting, how many samples its mean holds, and what is worth knowing."""
+    result = steady(wheel, tissue, film, **settings)
+    rows = tidy(result)
     columns = {n: rows[n].values for n in ("normal_load", "slide_speed", "wheel_speed", "speed_ratio", *MEASURED)}
     with np.errstate(divide="ignore"):
         seconds = np.minimum(travel / np.abs(columns["slide_speed"]), 3600.0)
-    return columns, np.maximum(np.floor(seconds * sensors.sampling_rate), 1.0)
+    return columns, np.maximum(np.floor(seconds * sensors.sampling_rate), 1.0), explain(result)
 
 
 def _histories(
@@ -173,7 +177,7 @@ def _histories(
     travel: float,
     sensors: Sensors,
     damper: float,
-) -> tuple[dict[str, np.ndarray], np.ndarray]:
+) -> tuple[dict[str, np.ndarray], np.ndarray, list[str]]:
     """The true course of each setting, one sample a row."""
     names = list(settings)
     parts = []
@@ -189,7 +193,7 @@ def _histories(
     keep = ("time", "normal_load", "slide_speed", "wheel_speed", "speed_ratio", *MEASURED)
     columns = {n: np.concatenate([np.broadcast_to(p[n], p["time"].shape) for p in parts]) for n in keep}
     columns["run"] = np.repeat(np.arange(len(parts)), [p["time"].size for p in parts])
-    return columns, np.ones(columns["run"].size)
+    return columns, np.ones(columns["run"].size), []
 
 
 def _measure(

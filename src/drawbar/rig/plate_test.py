@@ -57,6 +57,10 @@ def plate_test(
     check("spread", spread, Quantity(unit="1", minimum=0, maximum=1))
     if sets < 1:
         raise ValueError(f"sets must be at least 1, got {sets}.")
+    if tissue.remembers():
+        raise ValueError(
+            f"a plate test here takes an elastic tissue, and {type(tissue).__name__} remembers: it creeps."
+        )
     one, zero = np.ones(1), np.zeros(1)
     numbers = parameters(tissue)
     rim = 4.0 * np.sqrt(area)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import dataclasses
 
 from drawbar.film.couette import Couette
+from drawbar.sources.number import Number, Preset
 from drawbar.tissue.winkler import Winkler
 from drawbar.wheel.base import Wheel
 
@@ -34,16 +35,6 @@ CITATION = (
 
 GRAVITY = 9.81
 """m/s². The paper writes g; its mg for 28 g is 0.27 N (section VIII.C)."""
-
-
-@dataclasses.dataclass(frozen=True)
-class Number:
-    """A printed or assumed number in SI, as it is printed, and where."""
-
-    value: float
-    unit: str
-    printed: str
-    where: str
 
 
 PRINTED: dict[str, Number] = {
@@ -117,15 +108,6 @@ OUTCOMES: tuple[Outcome, ...] = (
     Outcome("P9", "liver", "male", "at speed ratio 0.5 the same force at 0.5, 1 and 1.5 W", "VIII.D, Fig. 17"),
     Outcome("P10", "liver", "all", "the male wheel is best, by a factor of two", "VIII.E"),
 )  # fmt: skip
-
-
-@dataclasses.dataclass(frozen=True)
-class Preset:
-    """A ready-made wheel, tissue or film: the law, and what of it is printed and what assumed."""
-
-    name: str
-    law: object
-    note: str
 
 
 PRESETS: tuple[Preset, ...] = (

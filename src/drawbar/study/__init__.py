@@ -1,0 +1,1 @@
+"""Questions asked of measurements and models: identify, compare, reproduce."""

@@ -63,3 +63,19 @@ class Tissue:
 
     sinkage_under: ClassVar[Callable[..., Any] | None] = None
     """Exact sinkage [m] under (reaction per width [N/m], radius [m], ...), or None: solve for it."""
+
+    spectrum: ClassVar[Callable[..., Any] | None] = None
+    """For a tissue with fading memory: (long-term stiffness k, viscosity c, branch stiffnesses k_i,
+    relaxation times τ_i) of p = k w + c w' + Σ k_i e_i, e_i' = w' - e_i/τ_i. None: no memory."""
+
+    deep: ClassVar[bool] = True
+    """Whether the law has a finite answer to the sudden indentation by the vertical face of deep contact."""
+
+    power_law: ClassVar[Callable[..., Any] | None] = None
+    """For a tissue whose memory fades as a power: (long-term stiffness k, coefficient C, exponent α) of the
+    relaxation function K(t) = k + C t^{-α}, t in seconds. None: it does not."""
+
+    @classmethod
+    def remembers(cls) -> bool:
+        """Whether the pressure depends on what came before: then rolling resists and a plate creeps."""
+        return cls.spectrum is not None or cls.power_law is not None

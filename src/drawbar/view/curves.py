@@ -9,8 +9,8 @@ import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 
-from drawbar.study.agreement import mean_interval
-from drawbar.study.condition import runs
+from drawbar.study.compare.agreement import mean_interval
+from drawbar.study.compare.condition import runs
 from drawbar.variables import VARIABLES
 from drawbar.view.style import COLOURS, MARKERS, Shown, shown
 

@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from drawbar.study.comparison import Comparison
+from drawbar.study.compare.comparison import Comparison
 from drawbar.view.curves import load_label
 from drawbar.view.style import COLOURS, GREY, INK, MARKERS, Shown, caption, legend, new_figure, number, shown, style
 

@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from drawbar.study.fit import Estimate, Fit
+from drawbar.study.identify.fit import Estimate, Fit
 from drawbar.view.curves import clustered, load_label
 from drawbar.view.style import COLOURS, GREY, INK, MARKERS, Shown, caption, legend, new_figure, shown, style, zero_line
 

@@ -8,8 +8,8 @@ from matplotlib.colors import TwoSlopeNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from drawbar.study.condition import describe, runs
-from drawbar.study.reduce import SETTLING
+from drawbar.study.compare.condition import describe, runs
+from drawbar.study.identify.reduce import SETTLING
 from drawbar.variables import LABELS, OBSERVATION, tidy
 from drawbar.view.curves import abscissa, curves, draw, repeated, scales
 from drawbar.view.style import COLOURS, INK, Shown, caption, legend, new_figure, number, shown, style, zero_line

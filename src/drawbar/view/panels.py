@@ -12,7 +12,7 @@ from drawbar.view import figure
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from drawbar.study.reproduce import Reproduction
+    from drawbar.study.paper.reproduce import Reproduction
 
 __all__ = ["PANELS", "Panel"]
 

@@ -16,7 +16,7 @@ from drawbar import __version__
 from drawbar.files import write_whole
 from drawbar.rig.write import write_netcdf
 from drawbar.sources.rentschler_2004 import ASSUMED, CITATION, PRINTED
-from drawbar.study.reproduce import SENSORS, SPREAD, Reproduction
+from drawbar.study.paper.reproduce import SENSORS, SPREAD, Reproduction
 from drawbar.view import figure
 from drawbar.view.panels import PANELS, Panel
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
+import re
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -14,10 +15,11 @@ from rich.table import Table
 if TYPE_CHECKING:
     import xarray as xr
 
-    from drawbar.study.outcomes import Verdict
+    from drawbar.study.paper.outcomes import Verdict
 
 __all__ = ["dataset", "laws", "ledger", "outcomes", "progress", "say", "waiting"]
 
+WIDE = 160
 ROWS = 40  # a longer table is cut, and says so
 
 # How a unit is shown: readable sizes of the robot's world. (SI unit: shown unit, factor)
@@ -26,7 +28,9 @@ SHOWN = {"m": ("mm", 1e3), "m/s": ("mm/s", 1e3), "N": ("mN", 1e3), "N m": ("mN m
 
 
 def _console() -> Console:
-    return Console(highlight=False, soft_wrap=False)
+    """The terminal as wide as it is; a file or pipe as wide as a table may need."""
+    console = Console(highlight=False)
+    return console if console.is_terminal else Console(highlight=False, width=WIDE)
 
 
 def say(text: str) -> None:
@@ -83,7 +87,7 @@ def dataset(rows: xr.Dataset, title: str) -> None:
     _console().print(table)
     if constant:
         say("throughout: " + ", ".join(f"{name} {_cell(rows[name], 0, unit=True)}" for name in constant))
-    for key in ("set_aside", "left_out", "damping"):
+    for key in ("set_aside", "left_out", "damping", "notes"):
         if rows.attrs.get(key):
             say(f"{key.replace('_', ' ')}: {rows.attrs[key]}")
 
@@ -108,7 +112,7 @@ def _cell(column: xr.DataArray, i: int, *, unit: bool = False) -> str:
         return "-"
     shown, factor = SHOWN.get(column.attrs.get("units", ""), (column.attrs.get("units", ""), 1.0))
     text = f"{number * factor:.5g}"
-    return f"{text} {shown}" if unit and shown != "1" else text
+    return f"{text} {shown}".strip() if unit and shown != "1" else text
 
 
 def ledger(run: xr.Dataset) -> None:
@@ -189,5 +193,6 @@ def laws() -> None:
 
 def _source_of(law: type) -> str:
     """The *Valid for* and *Source* paragraphs of a law's docstring."""
-    paragraphs = [" ".join(p.split()) for p in (law.__doc__ or "").split("\n\n")]
+    plain = re.sub(r":\w+:`~?(?:drawbar\.)?([^`]+)`", r"\1", law.__doc__ or "")  # no markup on a terminal
+    paragraphs = [" ".join(p.split()) for p in plain.split("\n\n")]
     return "\n".join(f"  {p}" for p in paragraphs if p.startswith(("Valid", "Source")))

@@ -9,11 +9,11 @@ import numpy as np
 import xarray as xr
 
 from drawbar.quantity import Quantity, quantities
-from drawbar.study.doubts import DOUBT, added, far_out, local_spread, sentence_of_p, undetermined
-from drawbar.study.fit import CONFIDENCE, Estimate, Fit, rounded
-from drawbar.study.least_squares import ROUNDING, Solution, least_squares
-from drawbar.study.press import Press, press_of
-from drawbar.study.reduce import Rows, gather, one_label
+from drawbar.study.identify.doubts import DOUBT, added, far_out, local_spread, sentence_of_p, undetermined
+from drawbar.study.identify.fit import CONFIDENCE, Estimate, Fit, rounded
+from drawbar.study.identify.least_squares import ROUNDING, Solution, least_squares
+from drawbar.study.identify.press import Press, press_of
+from drawbar.study.identify.reduce import Rows, gather, one_label
 from drawbar.tissue.winkler import Winkler
 from drawbar.variables import OBSERVATION, VARIABLES, declare
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from drawbar.study.fit import Estimate
-from drawbar.study.least_squares import Solution
+from drawbar.study.identify.fit import Estimate
+from drawbar.study.identify.least_squares import Solution
 
 __all__ = ["DOUBT", "added", "far_out", "local_spread", "sentence_of_p", "undetermined"]
 

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from drawbar.quantity import Quantity
-from drawbar.study.reduce import Rows, require
+from drawbar.study.identify.reduce import Rows, require
 from drawbar.variables import LABELS, OBSERVATION, declare
 
 __all__ = ["OFFSET", "Drags", "beside_fit", "drags_of"]

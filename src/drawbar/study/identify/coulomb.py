@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from drawbar.study.doubts import added, sentence_of_p
-from drawbar.study.least_squares import Solution
+from drawbar.study.identify.doubts import added, sentence_of_p
+from drawbar.study.identify.least_squares import Solution
 
 __all__ = ["CHOICES", "Choice", "choose"]
 

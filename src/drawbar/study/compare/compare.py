@@ -7,9 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from drawbar.study.agreement import agreement, mean_interval
-from drawbar.study.comparison import Comparison, Signs
-from drawbar.study.condition import SETTINGS, Pairing, describe, pair, runs
+from drawbar.study.compare.agreement import agreement, mean_interval
+from drawbar.study.compare.comparison import Comparison, Signs
+from drawbar.study.compare.condition import SETTINGS, Pairing, describe, pair, runs
 from drawbar.variables import OBSERVATION, VARIABLES, nearest
 
 __all__ = ["compare"]

@@ -13,7 +13,7 @@ import xarray as xr
 
 from drawbar.catalogue import save
 from drawbar.quantity import Quantity
-from drawbar.study.least_squares import Solution
+from drawbar.study.identify.least_squares import Solution
 
 __all__ = ["CONFIDENCE", "Estimate", "Fit", "estimates_of", "rounded"]
 

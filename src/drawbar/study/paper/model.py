@@ -9,7 +9,7 @@ from drawbar.contact.closed_form import drawbar_number
 from drawbar.film.couette import Couette
 from drawbar.motion.steady import grid, steady
 from drawbar.sources.rentschler_2004 import ASSUMED, LOADS, PRINTED, SPEED_RATIOS, WEIGHT
-from drawbar.study.outcomes import LOWER, Verdict, at_assumed_width, judge
+from drawbar.study.paper.outcomes import LOWER, Verdict, at_assumed_width, judge
 from drawbar.tissue.filonenko_borodich import FilonenkoBorodich
 from drawbar.tissue.winkler import Winkler
 from drawbar.wheel.base import Wheel

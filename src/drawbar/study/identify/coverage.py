@@ -1,6 +1,6 @@
 """Do the 95 % intervals of the identification hold the truth in 95 % of cases? A long study, resumable.
 
-python -m drawbar.study.coverage --out out/coverage --count 200
+python -m drawbar.study.identify.coverage --out out/coverage --count 200
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from drawbar.rig.drawbar_test import drawbar_test
 from drawbar.rig.plate_test import plate_test
 from drawbar.rig.sensors import Sensors
 from drawbar.sources.rentschler_2004 import ASSUMED, LOADS, PRINTED, WEIGHT
-from drawbar.study.fit import Fit
-from drawbar.study.identify_film import identify_film
-from drawbar.study.identify_stiffness import identify_stiffness
+from drawbar.study.identify.film import identify_film
+from drawbar.study.identify.fit import Fit
+from drawbar.study.identify.stiffness import identify_stiffness
 from drawbar.tissue.winkler import Winkler
 from drawbar.wheel.base import Wheel
 
@@ -172,7 +172,7 @@ def main() -> None:
     """The command line of ``make coverage``."""
     from rich.progress import Progress
 
-    parser = argparse.ArgumentParser(prog="python -m drawbar.study.coverage", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m drawbar.study.identify.coverage", description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("out/coverage"), help="folder for the results")
     parser.add_argument("--count", type=int, default=200, help="how many data sets")
     parser.add_argument("--seed", type=int, default=SEED, help="of chance")

@@ -7,8 +7,8 @@ import math
 
 import xarray as xr
 
-from drawbar.study.agreement import MARGIN, RELATIONS, Agreement, Coefficient
-from drawbar.study.condition import describe
+from drawbar.study.compare.agreement import MARGIN, RELATIONS, Agreement, Coefficient
+from drawbar.study.compare.condition import describe
 
 __all__ = ["Comparison", "Signs"]
 

@@ -10,12 +10,12 @@ import xarray as xr
 
 from drawbar.film.couette_coulomb import CouetteCoulomb
 from drawbar.quantity import Quantity, quantities
-from drawbar.study.coulomb import CHOICES, Choice, choose
-from drawbar.study.doubts import DOUBT, added, far_out, local_spread, sentence_of_p, undetermined
-from drawbar.study.drags import OFFSET, Drags, beside_fit, drags_of
-from drawbar.study.fit import Estimate, Fit, estimates_of
-from drawbar.study.least_squares import Solution, bounded, least_squares
-from drawbar.study.reduce import gather, one_label
+from drawbar.study.identify.coulomb import CHOICES, Choice, choose
+from drawbar.study.identify.doubts import DOUBT, added, far_out, local_spread, sentence_of_p, undetermined
+from drawbar.study.identify.drags import OFFSET, Drags, beside_fit, drags_of
+from drawbar.study.identify.fit import Estimate, Fit, estimates_of
+from drawbar.study.identify.least_squares import Solution, bounded, least_squares
+from drawbar.study.identify.reduce import gather, one_label
 
 __all__ = ["identify_film"]
 
@@ -48,7 +48,7 @@ def identify_film(dataset: xr.Dataset | Sequence[xr.Dataset], coulomb: str = "au
         counted. A log with ``time`` is reduced to a mean for each run (:func:`reduce_histories`).
     coulomb
         The Coulomb term: 'yield_stress' τ₀, 'friction_coefficient' μ_c, 'both', 'none', or 'auto': what the
-        loads support (:func:`drawbar.study.coulomb.choose`). Intervals take the choice as given: a true
+        loads support (:func:`drawbar.study.identify.coulomb.choose`). Intervals take the choice as given: a true
         term too weak to be chosen is then in the others.
 
     Returns

@@ -1,6 +1,6 @@
 """The example logs that the package ships, one of each kind: made by the virtual rig, and labelled as such.
 
-``python -m drawbar.study.examples`` makes them anew.
+``python -m drawbar.study.paper.examples`` makes them anew.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from drawbar.files import refuse_existing, write_whole
 from drawbar.rig.drawbar_test import drawbar_test
 from drawbar.rig.write import write_csv
 from drawbar.sources.rentschler_2004 import ASSUMED, LOADS, PRINTED, SPEED_RATIOS, WEIGHT
-from drawbar.study import paper_model
-from drawbar.study.reproduce import SEED, SENSORS, drags, plates
+from drawbar.study.paper.model import laws, wheel_of_width
+from drawbar.study.paper.reproduce import SEED, SENSORS, drags, plates
 from drawbar.units import factor
 
 __all__ = ["EXAMPLES", "copy_examples", "example_log"]
 
-FOLDER = Path(__file__).parent.parent / "logs"
+FOLDER = Path(__file__).parents[2] / "logs"
 
 DIGITS = 5  # significant, as a laboratory's display would show
 
@@ -32,10 +32,10 @@ UNITS = {"deflection": "mm", "plate_area": "mm^2", "applied_mass": "g", "slide_s
 
 
 def _runs(**options: object) -> xr.Dataset:
-    tissue, film = paper_model.laws("foam")
+    tissue, film = laws("foam")
     settings: dict[str, object] = {"normal_load": np.array(LOADS) * WEIGHT, "speed_ratio": SPEED_RATIOS, "repeats": 3}
     return drawbar_test(
-        paper_model.wheel_of_width(ASSUMED["wheel_width"].value),
+        wheel_of_width(ASSUMED["wheel_width"].value),
         tissue,
         film,
         **{

@@ -16,12 +16,13 @@ from drawbar.rig.drawbar_test import drawbar_test
 from drawbar.rig.plate_test import plate_test
 from drawbar.rig.sensors import Sensors
 from drawbar.sources.rentschler_2004 import ASSUMED, LOADS, PRINTED, SPEED_RATIOS, WEIGHT
-from drawbar.study import paper_model
-from drawbar.study.compare import Comparison, compare
-from drawbar.study.fit import Fit
-from drawbar.study.identify_film import identify_film
-from drawbar.study.identify_stiffness import identify_stiffness
-from drawbar.study.outcomes import Verdict
+from drawbar.study.compare.compare import Comparison, compare
+from drawbar.study.identify.film import identify_film
+from drawbar.study.identify.fit import Fit
+from drawbar.study.identify.stiffness import identify_stiffness
+from drawbar.study.paper.model import drawbar_maps, tension_error, wheel_of_width
+from drawbar.study.paper.model import verdicts as verdicts_of
+from drawbar.study.paper.outcomes import Verdict
 from drawbar.tissue.winkler import Winkler
 
 __all__ = ["SENSORS", "Reproduction", "drags", "plates", "reproduce"]
@@ -80,7 +81,7 @@ def drags(tissue: str, seed: int = SEED) -> xr.Dataset:
     low, high = ASSUMED["drag_speed_low"].value, ASSUMED["drag_speed_high"].value
     speeds = np.linspace(low, high, int(PRINTED["drag_speeds"].value))
     return drawbar_test(
-        paper_model.wheel_of_width(ASSUMED["wheel_width"].value),
+        wheel_of_width(ASSUMED["wheel_width"].value),
         Winkler(stiffness=TISSUES[tissue]),
         FILMS[tissue],
         normal_load=np.array(LOADS) * WEIGHT,
@@ -119,7 +120,7 @@ def reproduce(progress: Callable[[str, int, int], None] | None = None) -> Reprod
         ("drawbar of the smooth wheel", lambda: _drawbar(datasets, comparisons)),
         ("time history of a run", lambda: datasets.update(history=_history())),
         ("transient from touch-down", lambda: datasets.update(transient=_transient())),
-        ("tension dropped and kept", lambda: datasets.update(tension=paper_model.tension_error())),
+        ("tension dropped and kept", lambda: datasets.update(tension=tension_error())),
         ("printed outcomes over the wheel's width", lambda: _outcomes(datasets, verdicts)),
     ]
     for number, (name, step) in enumerate(steps):
@@ -144,7 +145,7 @@ def _film(datasets: dict[str, xr.Dataset], fits: dict[str, Fit]) -> None:
 def _drawbar(datasets: dict[str, xr.Dataset], comparisons: dict[str, Comparison]) -> None:
     """Fig. 10, the same on liver, and the virtual rig's own measurement of both."""
     film = Couette(viscous_coefficient=ASSUMED["foam_viscous_coefficient"].value)
-    wheel = paper_model.wheel_of_width(ASSUMED["wheel_width"].value)
+    wheel = wheel_of_width(ASSUMED["wheel_width"].value)
     loads, speed = np.array(LOADS) * WEIGHT, PRINTED["slide_speed"].value
     curve = np.linspace(SPEED_RATIOS[0], SPEED_RATIOS[-1], 41)
     for tissue, stiffness in TISSUES.items():
@@ -173,7 +174,7 @@ def _drawbar(datasets: dict[str, xr.Dataset], comparisons: dict[str, Comparison]
 def _history() -> xr.Dataset:
     """One run as in Fig. 9: 20 cm at 2.54 cm/s, N = W, speed ratio 0.5."""
     return drawbar_test(
-        paper_model.wheel_of_width(ASSUMED["wheel_width"].value),
+        wheel_of_width(ASSUMED["wheel_width"].value),
         Winkler(stiffness=TISSUES["foam"]),
         Couette(viscous_coefficient=ASSUMED["foam_viscous_coefficient"].value),
         normal_load=WEIGHT,
@@ -190,7 +191,7 @@ def _history() -> xr.Dataset:
 def _transient() -> xr.Dataset:
     """A driven wheel's equations of motion from touch-down: it pulls 0.02 N from rest."""
     return simulate(
-        paper_model.wheel_of_width(ASSUMED["wheel_width"].value),
+        wheel_of_width(ASSUMED["wheel_width"].value),
         Winkler(stiffness=TISSUES["foam"]),
         Couette(viscous_coefficient=ASSUMED["foam_viscous_coefficient"].value),
         normal_load=WEIGHT,
@@ -203,8 +204,8 @@ def _transient() -> xr.Dataset:
 
 
 def _outcomes(datasets: dict[str, xr.Dataset], verdicts: list[Verdict]) -> None:
-    maps = paper_model.drawbar_maps()
+    maps = drawbar_maps()
     datasets["width_sweep"] = xr.Dataset({f"drawbar_force_{tissue}": a for (tissue, _), a in maps.items()})
-    verdicts.extend(paper_model.verdicts(maps))
+    verdicts.extend(verdicts_of(maps))
     cells = {v.outcome.name: v.cells for v in verdicts if v.cells is not None}
     datasets["verdict_cells"] = xr.Dataset(cells)

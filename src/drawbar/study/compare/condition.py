@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from drawbar.study.reduce import reduce_histories
+from drawbar.study.identify.reduce import reduce_histories
 from drawbar.variables import LABELS, OBSERVATION, VARIABLES, tidy
 
 __all__ = ["SETTINGS", "Pairing", "describe", "pair", "runs"]
@@ -27,7 +27,7 @@ SETTINGS: tuple[str, ...] = (*IMPOSED, *DRIVES, *SIZES)
 def runs(dataset: xr.Dataset) -> xr.Dataset:
     """Any Dataset of the package as one row for each run.
 
-    Time histories are reduced to their means (:func:`drawbar.study.reduce.reduce_histories`). Settings
+    Time histories are reduced to their means (:func:`drawbar.study.identify.reduce.reduce_histories`). Settings
     that a Dataset keeps in its attributes, as a transient does its load, become columns.
     """
     rows = tidy(dataset.transpose(..., "time") if "time" in dataset.dims else dataset)

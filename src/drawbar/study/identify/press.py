@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 
 from drawbar.rig.plate_test import STANDARD_GRAVITY
-from drawbar.study.reduce import Rows, require
+from drawbar.study.identify.reduce import Rows, require
 from drawbar.tissue.winkler import Winkler
 
 __all__ = ["Press", "press_of"]
