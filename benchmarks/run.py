@@ -42,6 +42,22 @@ def steady_million(film: Callable[[np.ndarray], drawbar.Film]) -> float:
     return seconds(lambda: drawbar.steady(wheel, tissue, law, normal_load=load, speed=0.0254, speed_ratio=ratio), 3)
 
 
+MEMORY = {
+    "standard linear solid": drawbar.StandardLinearSolid(stiffness=4e5, branch_stiffness=4e5, relaxation_time=0.1),
+    "three-term series": drawbar.Prony(
+        stiffness=4e5, branch_stiffnesses=(1e5, 1e5, 1e5), relaxation_times=(0.01, 0.1, 1.0)
+    ),
+    "spring-pot": drawbar.SpringPot(coefficient=8e5, exponent=0.2),
+}
+
+
+def steady_memory(tissue: drawbar.Tissue) -> float:
+    """Two thousand operating points on a tissue with memory: speeds over two decades."""
+    wheel, film = drawbar.find("wheel", "robot-2004"), drawbar.find("film", "film-assumed")
+    speeds = np.geomspace(1e-3, 1e-1, 2000)
+    return seconds(lambda: drawbar.steady(wheel, tissue, film, normal_load=0.2, speed=speeds, speed_ratio=0.5), 3)
+
+
 def transient(damper: float) -> float:
     """Eight seconds of the paper's run at a tolerance of 1e-8."""
     laws = (
@@ -89,6 +105,11 @@ def main() -> None:
     }.items():
         took = steady_million(film)
         table.add_row(f"steady, {name}, {POINTS:,} points", f"{took:.2f} s", f"{POINTS / took:,.0f} points/s", "< 2 s")
+    for name, tissue in MEMORY.items():
+        took = steady_memory(tissue)
+        table.add_row(
+            f"steady, {name}, 2,000 points", f"{took:.2f} s", f"{2000 / took:,.0f} points/s", "2,000 points/s"
+        )
     for label, damper in (("bouncing for ever", 0.0), ("lever damper 0.5 N s/m", 0.5)):
         ours, plain = transient(damper), transient_in_plain_python(damper)
         table.add_row(

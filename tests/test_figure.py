@@ -19,6 +19,7 @@ from drawbar.sources.rentschler_2004 import LOADS, OUTCOMES, SPEED_RATIOS, WEIGH
 from drawbar.study.compare.compare import compare
 from drawbar.study.identify.fit import Fit
 from drawbar.study.paper import model as paper_model
+from drawbar.study.paper.memory import memory_sweep, power_curve
 from drawbar.view import figure
 from drawbar.view.style import shown, style
 
@@ -106,6 +107,8 @@ FIGURES = {
     "a number": lambda w: figure.printed_words(said("P7"), title="Fig. 15", width=w),
     "words alone": lambda w: figure.printed_words(said("P4"), width=w),
     "widths": lambda w: figure.width_sweep(*paper(), width=w),
+    "memory": lambda w: figure.memory_sweep(memory_sweep(), width=w),
+    "power": lambda w: figure.power_split(power_curve(), width=w),
     "tension": lambda w: figure.tension_error(paper_model.tension_error(), width=w),
 }
 

@@ -7,6 +7,7 @@ import xarray as xr
 from drawbar.contact.closed_form import drawbar_number
 from drawbar.sources.rentschler_2004 import LOADS, OUTCOMES, PRINTED, SPEED_RATIOS, WEIGHT
 from drawbar.study.paper import model as paper_model
+from drawbar.study.paper.memory import EXPONENTS, READING_TIME, memory_sweep, same_plate_reading
 from drawbar.study.paper.outcomes import CRITERIA, NOT_ADDRESSED, NOT_REPRODUCED, REPRODUCED, judge
 
 NO_REASONS = {o.name: "" for o in OUTCOMES}
@@ -111,3 +112,22 @@ def test_dropping_the_tension_always_overstates_and_vanishes_with_it():
     assert np.all(errors.drawbar_force_error > 0)
     small = errors.sel(decay_ratio=1e-3, method="nearest")
     assert float(small.sinkage_error.max()) < 1e-3
+
+
+def test_memory_resists_rolling_until_all_nine_forces_are_negative():
+    sweep = memory_sweep()
+    assert np.all(sweep.negative.sel(exponent=0.0) == 3)  # the paper's own model, at every film
+    assert np.all(sweep.rolling_resistance.diff("exponent") > 0)
+    # Under a thick film skidding may drag less: fast tissue is stiffer, so the contact is shorter.
+    assert np.all(sweep.drawbar_force.sel(speed_ratio=0.5).diff("exponent") < 0)
+    assert np.all(sweep.negative.diff("viscous_coefficient") <= 0)
+    assert int(sweep.negative.max()) == 9
+    elastic = paper_model.drawbar_maps()["liver", "smooth"].sel(wheel_width=0.02, method="nearest")
+    assumed = sweep.drawbar_force.sel(exponent=0.0).sel(viscous_coefficient=1e4, method="nearest")
+    assert assumed.transpose("load_ratio", "speed_ratio").values == pytest.approx(elastic.values, rel=1e-12)
+
+
+@pytest.mark.parametrize("exponent", EXPONENTS[1:])
+def test_every_exponent_gives_the_same_plate_reading(exponent):
+    tissue = same_plate_reading(415e3, float(exponent))
+    assert 1.0 / tissue.creep(READING_TIME) == pytest.approx(415e3, rel=1e-12)

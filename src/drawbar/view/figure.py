@@ -13,8 +13,10 @@ from __future__ import annotations
 
 from drawbar.view.figure_compare import comparison
 from drawbar.view.figure_fit import film_fit, stiffness_fit
+from drawbar.view.figure_memory import memory_sweep
 from drawbar.view.figure_motion import simulation
 from drawbar.view.figure_paper import printed_words, tension_error, width_sweep
+from drawbar.view.figure_power import power_split
 from drawbar.view.figure_rig import drawbar_curves, history, steady_map
 from drawbar.view.style import save
 
@@ -23,6 +25,8 @@ __all__ = [
     "drawbar_curves",
     "film_fit",
     "history",
+    "memory_sweep",
+    "power_split",
     "printed_words",
     "save",
     "simulation",

@@ -81,6 +81,15 @@ PANELS: tuple[Panel, ...] = (
           "The paper keeps the membrane's tension T in equation (1) and drops it after. Without T, sinkage and drawbar "
           "force come out too large by this much; the paper prints no T.",
           lambda r: figure.tension_error(r.datasets["tension"])),
+    Panel("memory", "What a tissue with memory would do on liver", COMPUTED,
+          "The same smooth wheel and viscous film on a tissue that relaxes by a power law. Memory resists rolling and "
+          "shifts the curve down; from some exponent on all nine forces are negative, as the paper measured (P6) and "
+          "its own model cannot give. An exploration over inputs that the paper does not print: no fit, no verdict.",
+          lambda r: figure.memory_sweep(r.datasets["memory"])),
+    Panel("power", "Where the power goes on a tissue with memory", COMPUTED,
+          "Liver as a power law of exponent 0.2, N = W, otherwise as above. The tissue's loss is summed from its own "
+          "dissipation, not as resistance times speed, so the ledger could fail.",
+          lambda r: figure.power_split(r.datasets["power"])),
     Panel("transient", "Equations of motion from touch-down, with the energy ledger", COMPUTED,
           "A wheel that starts from rest, gets a constant motor torque and pulls 0.02 N. What the motor and the load "
           "put in is found again as drawbar work, heat, stored and kinetic energy.",

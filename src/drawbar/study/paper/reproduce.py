@@ -20,6 +20,7 @@ from drawbar.study.compare.compare import Comparison, compare
 from drawbar.study.identify.film import identify_film
 from drawbar.study.identify.fit import Fit
 from drawbar.study.identify.stiffness import identify_stiffness
+from drawbar.study.paper.memory import memory_sweep, power_curve
 from drawbar.study.paper.model import drawbar_maps, tension_error, wheel_of_width
 from drawbar.study.paper.model import verdicts as verdicts_of
 from drawbar.study.paper.outcomes import Verdict
@@ -121,6 +122,7 @@ def reproduce(progress: Callable[[str, int, int], None] | None = None) -> Reprod
         ("time history of a run", lambda: datasets.update(history=_history())),
         ("transient from touch-down", lambda: datasets.update(transient=_transient())),
         ("tension dropped and kept", lambda: datasets.update(tension=tension_error())),
+        ("memory of the tissue, explored", lambda: datasets.update(memory=memory_sweep(), power=power_curve())),
         ("printed outcomes over the wheel's width", lambda: _outcomes(datasets, verdicts)),
     ]
     for number, (name, step) in enumerate(steps):
