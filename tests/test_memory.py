@@ -10,6 +10,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 from drawbar.catalogue import find, save
 from drawbar.contact.kernel import Forces, contact_kernel
+from drawbar.film.couette import Couette
 from drawbar.film.couette_coulomb import CouetteCoulomb
 from drawbar.film.frictionless import Frictionless
 from drawbar.quantity import parameters
@@ -452,3 +453,22 @@ def test_a_series_is_written_in_brackets_with_units(tmp_path):
     path.write_text('[tissue]\nlaw = "Prony"\nstiffness = 1e5\nbranch_stiffnesses = [1e5]\nrelaxation_times = 1\n')
     with pytest.raises(ValueError, match=r"relaxation_times must be a tuple of numbers in s, got 1"):
         find("tissue", path)
+
+
+@pytest.mark.parametrize("sinkage", [0.003, 0.0074, 0.012])
+def test_the_films_arc_is_integrated_exactly_on_a_contact_that_leans_forward(sinkage):
+    """Couette's own integrals, and a yield stress by hand with its jump where the slip changes sign."""
+    tissue, r, v = StandardLinearSolid(stiffness=2e5, branch_stiffness=2e5, relaxation_time=0.1), 0.0075, 0.0254
+
+    def rolls(film, omega):
+        kernel = contact_kernel(StandardLinearSolid, type(film))
+        return Forces(*kernel(sinkage, v, 0.0, omega, r, 0.02, parameters(tissue), parameters(film)))
+
+    viscous = rolls(Couette(viscous_coefficient=1e4), 6.0)
+    along, _, _, torque, loss = Couette.arc(viscous.rear, viscous.front, v, 0.0, 6.0, r, 1e4)
+    exact = (0.02 * along, 0.02 * torque, 0.02 * loss)
+    assert (viscous.traction_force, viscous.wheel_torque, viscous.film_loss) == pytest.approx(exact, rel=1e-9)
+    turn = 0.4
+    dry = rolls(CouetteCoulomb(viscous_coefficient=0.0, yield_stress=50.0), v * np.cos(turn) / r)
+    by_hand = 50.0 * 0.02 * r * (np.sin(dry.front) - np.sin(dry.rear) - 4.0 * np.sin(turn))
+    assert dry.traction_force == pytest.approx(by_hand, rel=1e-9)

@@ -169,6 +169,12 @@ def simulate(
         str, typer.Option(help="Lever damper; not in the paper, whose wheel bounces for ever.")
     ] = "0 N s/m",
     tolerance: Annotated[float, typer.Option(help="Relative tolerance of the solver.")] = 1e-8,
+    columns: Annotated[
+        int | None, typer.Option(help="Columns of tissue under the wheel; 400 for a tissue with memory.")
+    ] = None,
+    check: Annotated[
+        bool, typer.Option("--check", help="With columns: run twice as fine too, for error bars.")
+    ] = False,
     out: Out = Path("out/simulate"),
     force: Force = False,
 ) -> None:
@@ -200,6 +206,8 @@ def simulate(
             start=start,
             damper=si(damper, "N s/m"),
             tolerance=tolerance,
+            columns=columns,
+            check=check,
         )
     terminal.ledger(result)
     write_netcdf(result, files[0], force=force)

@@ -15,7 +15,7 @@ import xarray as xr
 
 from drawbar.quantity import Quantity
 
-__all__ = ["LABELS", "OBSERVATION", "VARIABLES", "declare", "nearest", "tidy"]
+__all__ = ["BARRED", "LABELS", "OBSERVATION", "VARIABLES", "declare", "nearest", "tidy"]
 
 OBSERVATION = "observation"
 
@@ -50,7 +50,7 @@ VARIABLES: dict[str, Quantity] = {
     "time": _q("s", "t", "time since the start of the run"),
     "drawbar_force": _q("N", "F", "net pull along the heading: traction_force - rolling_resistance; negative when the wheel is dragged"),  # noqa: E501
     "traction_force": _q("N", "", "the film's shear along the heading, positive when it pulls"),
-    "rolling_resistance": _q("N", "", "the tissue's resistance to rolling, >= 0"),
+    "rolling_resistance": _q("N", "", "the tissue's resistance, against the motion; >= 0 in steady rolling"),
     "side_force": _q("N", "", "force on the wheel along its axle"),
     "reaction": _q("N", "R", "upward force of the tissue on the wheel"),
     "wheel_torque": _q("N m", "T", "torque that the motor gives, positive when driving forward"),
@@ -75,12 +75,27 @@ VARIABLES: dict[str, Quantity] = {
     "load_work": _q("J", "", "work of the normal load"),
     "drawbar_work": _q("J", "", "work done on what the wheel pulls"),
     "film_heat": _q("J", "", "energy that the film turned into heat"),
+    "tissue_heat": _q("J", "", "energy that the tissue's dashpots turned into heat"),
     "damper_heat": _q("J", "", "energy that the lever's damper turned into heat"),
-    "elastic_energy": _q("J", "", "energy stored in the tissue"),
+    "elastic_energy": _q("J", "", "energy stored in the tissue, also behind the wheel"),
     "kinetic_energy": _q("J", "", "energy of the wheel's motion"),
     "ledger_error": _q("J", "", "work put in less energy accounted for; zero but for the solver's error"),
 }  # fmt: skip
 """Every number that a Dataset may hold, by name."""
+
+BARRED = (
+    "drawbar_force",
+    "traction_force",
+    "rolling_resistance",
+    "reaction",
+    "wheel_torque",
+    "sinkage",
+    "peak_pressure",
+)
+"""What a transient can carry a numerical error bar for, as ``<name>_error``."""
+
+for _name in BARRED:
+    VARIABLES[f"{_name}_error"] = _q(VARIABLES[_name].unit, "", f"numerical error bar of {_name}")
 
 
 def nearest(name: str, known: Iterable[str]) -> str:

@@ -136,6 +136,8 @@ def rolling_forces(
     speed = np.abs(vx) + zero
     columns = (stiffness, viscosity * speed, branches)
     rim = radius * omega * heading
+    rolls = speed > 0.0
+    turn = np.arccos(np.minimum(np.maximum(where(rolls, rim / where(rolls, speed, 1.0), 2.0), -1.0), 1.0))
     face = np.maximum(sinkage - radius, 0.0) + zero
     count = len(branches)
     strains = rows(count, zero)
@@ -162,7 +164,8 @@ def rolling_forces(
     p_end = peak
     for j in range(PANELS):
         w_start = w_end
-        x_start = radius * np.sin(end)
+        begin = end
+        x_start = radius * np.sin(begin)
         end = front * GRADED[j + 1]
         w_end = depth - 2.0 * radius * np.sin(0.5 * end) ** 2
         reach = np.maximum(x_start - radius * np.sin(end), 1e-100)
@@ -185,7 +188,6 @@ def rolling_forces(
         for g in range(NODES.size):
             u = part * NODES[g]
             step = part * WEIGHTS[g]
-            p = pressure_at(u, w_start, rise, curve, strains, lengths, columns)
             slope = rise + 2.0 * curve * u
             pushed = viscosity * speed * slope
             lost = lost + step * pushed * slope
@@ -194,16 +196,30 @@ def rolling_forces(
             sine = (x_start - u) / radius
             cosine = np.sqrt(np.maximum(1.0 - sine * sine, 1e-12))
             reaction = reaction + step * (stiffness * (depth - radius * sine * sine / (1.0 + cosine)) + pushed)
-            slip = rim - speed * cosine
-            size = np.sqrt(slip * slip + vy * vy)
-            stress = shear_stress(size, np.maximum(p, 0.0), *film) / where(size > 0.0, size, 1.0)
-            arc = step / cosine * stress
-            along = along + arc * slip * cosine
-            upward = upward + arc * slip * sine
-            side = side - arc * vy
-            torque = torque + arc * slip * radius
-            film_loss = film_loss + arc * size * size
-            peak = np.maximum(peak, where(part > 0.0, p, 0.0))
+        leave = where(leaves, np.arcsin(np.minimum(np.maximum((x_start - part) / radius, -1.0), 1.0)), end)
+        leave = where(inside > 0.0, leave, begin)
+        cut = np.minimum(np.maximum(where(begin > 0.0, turn, -turn), leave), begin)
+        for half in range(2):  # the film in angle, cut where the slip changes its sign
+            upper = (begin, cut)[half]
+            lower = (cut, leave)[half]
+            if not np.any(upper > lower):
+                continue
+            for g in range(NODES.size):
+                theta = lower + (upper - lower) * NODES[g]
+                sine = np.sin(theta)
+                cosine = np.cos(theta)
+                u = np.maximum(x_start - radius * sine, 0.0)
+                p = pressure_at(u, w_start, rise, curve, strains, lengths, columns)
+                slip = rim - speed * cosine
+                size = np.sqrt(slip * slip + vy * vy)
+                stress = shear_stress(size, np.maximum(p, 0.0), *film) / where(size > 0.0, size, 1.0)
+                arc = (upper - lower) * WEIGHTS[g] * radius * stress
+                along = along + arc * slip * cosine
+                upward = upward + arc * slip * sine
+                side = side - arc * vy
+                torque = torque + arc * slip * radius
+                film_loss = film_loss + arc * size * size
+                peak = np.maximum(peak, where(upper > lower, p, 0.0))
         holds = 0.5 * stiffness * (w_start + part * (rise + curve * part)) ** 2
         for i in range(count):
             lifts, resists = carried(strains[i], part, rise, curve, lengths[i])
@@ -214,7 +230,7 @@ def rolling_forces(
             strains[i] = where(inside > 0.0, after, strains[i])
             holds = holds + 0.5 * branches[i] * strains[i] * strains[i]
         stored = where(inside > 0.0, holds, stored)
-        rear = where(inside > 0.0, np.arcsin(np.minimum(np.maximum((x_start - part) / radius, -1.0), 1.0)), rear)
+        rear = where(inside > 0.0, leave, rear)
         inside = where(leaves, 0.0, inside)
     regained = where(inside > 0.0, 0.5 * p_end * p_end / instant, 0.0)  # at the rear face, if still pressed
     return (

@@ -12,8 +12,11 @@ from scipy.integrate import odeint
 from drawbar.contact.bind import bind, unbound
 from drawbar.contact.kernel import Forces, contact_kernel, energy_kernel
 from drawbar.film.base import Film
+from drawbar.motion.schedule import Command, is_schedule
 from drawbar.motion.steady import one_drive, steady
-from drawbar.quantity import check, parameters
+from drawbar.motion.transient import simulate_columns
+from drawbar.quantity import check as checked
+from drawbar.quantity import parameters
 from drawbar.tissue.base import Tissue
 from drawbar.variables import VARIABLES, declare
 from drawbar.wheel.base import Wheel
@@ -63,17 +66,20 @@ def simulate(
     tissue: Tissue,
     film: Film,
     *,
-    normal_load: float,
-    speed: float | None = None,
-    drawbar_force: float | None = None,
+    normal_load: Command,
+    speed: Command | None = None,
+    drawbar_force: Command | None = None,
     speed_ratio: float | None = None,
-    wheel_speed: float | None = None,
-    wheel_torque: float | None = None,
+    wheel_speed: Command | None = None,
+    wheel_torque: Command | None = None,
     duration: float = 8.0,
     interval: float = 0.01,
     start: str = "touch-down",
     damper: float = 0.0,
     tolerance: float = 1e-8,
+    columns: int | None = None,
+    step: float | None = None,
+    check: bool = False,
 ) -> xr.Dataset:
     """Motion of a loaded wheel in its plane: the source's equations (9)-(19), with an energy ledger.
 
@@ -102,6 +108,10 @@ def simulate(
         Viscous damping of the lever [N s/m], >= 0.
     tolerance
         Relative local tolerance of the solver (SciPy's LSODA), between 1e-12 and 1e-3.
+    columns, step, check
+        For a tissue with memory, for commands that change with time, or where ``columns`` is given, the
+        motion runs over columns of tissue fixed in the ground:
+        :func:`drawbar.motion.transient.simulate_columns` says what these mean and what it returns.
 
     Returns
     -------
@@ -131,11 +141,14 @@ def simulate(
     >>> round(float(run.drawbar_force[-1]), 4)
     0.0883
     """
-    if tissue.remembers():
-        raise ValueError(
-            f"simulate takes an elastic tissue, and {type(tissue).__name__} remembers. "
-            "Give Winkler or FilonenkoBorodich, or see steady for how it rolls."
-        )
+    commands = (normal_load, speed, drawbar_force, wheel_speed, wheel_torque)
+    if columns is not None or tissue.remembers() or any(is_schedule(command) for command in commands):
+        return simulate_columns(
+            wheel, tissue, film, normal_load=normal_load, speed=speed, drawbar_force=drawbar_force,
+            speed_ratio=speed_ratio, wheel_speed=wheel_speed, wheel_torque=wheel_torque, duration=duration,
+            interval=interval, start=start, damper=damper, columns=400 if columns is None else columns, step=step,
+            check=check,
+        )  # fmt: skip
     drive, given = one_drive(speed_ratio=speed_ratio, wheel_speed=wheel_speed, wheel_torque=wheel_torque)
     if speed is None and drawbar_force is None:
         raise ValueError("give speed (imposed by the carriage) or drawbar_force (what the wheel pulls).")
@@ -143,7 +156,7 @@ def simulate(
         raise ValueError("speed_ratio needs an imposed speed. Give speed alone, or wheel_speed in its place.")
     settings = {"normal_load": normal_load, "slide_speed": speed or 0.0, drive: given}
     settings |= {} if drawbar_force is None else {"drawbar_force": drawbar_force}
-    settings = {name: float(check(name, v, VARIABLES[name])) for name, v in settings.items()}
+    settings = {name: float(checked(name, v, VARIABLES[name])) for name, v in settings.items()}
     _within("normal_load", settings["normal_load"], 1e-9, 1e6, "N")
     _within("duration", duration, 1e-6, 1e6, "s")
     _within("interval", interval, 1e-6, duration, "s")

@@ -48,7 +48,7 @@ def memory_sweep(dataset: xr.Dataset, *, title: str = "", width: float = 7.0) ->
     for exponent, colour in zip(shown, COLOURS, strict=False):
         force = assumed["drawbar_force"].sel(exponent=exponent)
         right.plot(force.speed_ratio, force * 1e3, marker="o", color=colour, label=f"α = {exponent:g}")
-    right.set(xlabel="speed ratio v/(rω) [1]", ylabel="drawbar force at N = W [mN]", xticks=force.speed_ratio.values)
+    right.set(xlabel="speed ratio v/(rω) [1]", ylabel="drawbar force at N = W [mN]", xticks=dataset.speed_ratio.values)
     zero_line(right)
     legend(figure, right, "")
     caption(

@@ -17,6 +17,7 @@ PUT_IN = ("motor_work", "load_work")
 FOUND = {
     "drawbar_work": "drawbar work",
     "film_heat": "film heat",
+    "tissue_heat": "tissue heat",
     "damper_heat": "damper heat",
     "elastic_energy": "elastic, change",
     "kinetic_energy": "kinetic, change",
@@ -33,7 +34,8 @@ def simulation(dataset: xr.Dataset, *, title: str = "", width: float = 7.0) -> F
     ValueError
         The Dataset is not a transient with its ledger.
     """
-    missing = [n for n in (*PANELS, *PUT_IN, *FOUND, "ledger_error") if n not in dataset]
+    needed = {*PANELS, *PUT_IN, *FOUND, "ledger_error"} - {"tissue_heat"}  # an elastic tissue makes none
+    missing = sorted(n for n in needed if n not in dataset)
     if missing:
         raise ValueError(f"the data set has no {', '.join(missing)}. Give what drawbar.simulate returns.")
     columns = 2 if width >= 5.0 else 1
@@ -74,13 +76,15 @@ def _ledger(axes: Axes, dataset: xr.Dataset) -> str:
     """What was put in as a line, and where it went as lines that add up to it; the error in words."""
     time = dataset["time"].values
     put_in = sum(dataset[n].values for n in PUT_IN)
-    found = {n: dataset[n].values - (dataset[n].values[0] if n.endswith("energy") else 0.0) for n in FOUND}
+    found = {
+        n: dataset[n].values - (dataset[n].values[0] if n.endswith("energy") else 0.0) for n in FOUND if n in dataset
+    }
     y = Shown(np.concatenate([put_in, *found.values()]), "J", "work, energy")
     zero_line(axes)
     axes.plot(time, y(put_in), color=INK, linewidth=2.2, label="motor + load work")
     axes.plot(time, y(sum(found.values())), color=COLOURS[4], linestyle=(0, (2, 2)), label="where it went, sum")
-    for (name, label), colour in zip(FOUND.items(), (*COLOURS[:4], COLOURS[5]), strict=True):
-        if np.any(found[name]):
+    for (name, label), colour in zip(FOUND.items(), (*COLOURS[:4], *COLOURS[5:7]), strict=True):
+        if name in found and np.any(found[name]):
             axes.plot(time, y(found[name]), color=colour, linewidth=1.1, label=label)
     axes.set(ylabel=y.label, title="energy ledger")
     narrow = axes.get_figure(root=True).get_figwidth() < 5.0  # type: ignore[union-attr]

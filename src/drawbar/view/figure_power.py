@@ -45,7 +45,7 @@ def power_split(dataset: xr.Dataset, *, title: str = "", width: float = 3.5) -> 
     axes.set(xlabel="speed ratio v/(rω) [1]", ylabel="power [mW]", xlim=(ratio.min(), ratio.max()), title=title)
     zero_line(axes)
     legend(figure, axes, "")
-    parts = sum(dataset[name] for name in PARTS)
+    parts = dataset[list(PARTS)].to_array().sum("variable")
     error = float(abs(dataset["motor_power"] - parts).max() / abs(parts).max())
     caption(figure, f"Below zero: the carriage pushes. The ledger closes to {error:.0e} of the largest power.")
     return figure

@@ -94,8 +94,8 @@ def dataset(rows: xr.Dataset, title: str) -> None:
 
 _ALWAYS = {"drawbar_force"}
 
-LEDGER = ("motor_work", "load_work", "drawbar_work", "film_heat", "damper_heat", "elastic_energy", "kinetic_energy",
-          "ledger_error")  # fmt: skip
+LEDGER = ("motor_work", "load_work", "drawbar_work", "film_heat", "tissue_heat", "damper_heat", "elastic_energy",
+          "kinetic_energy", "ledger_error")  # fmt: skip
 
 
 def _heading(column: xr.DataArray) -> str:
@@ -124,10 +124,14 @@ def ledger(run: xr.Dataset) -> None:
         table.add_column(_heading(run[name]), justify="right")
     table.add_row(*(_cell(last[name].expand_dims("time"), 0) for name in names))
     _console().print(table)
+    bars = [n for n in names if f"{n}_error" in run]
+    if bars:
+        told = (f"{n.replace('_', ' ')} ± {_cell(last[f'{n}_error'].expand_dims('time'), 0, unit=True)}" for n in bars)
+        say(f"numerical error, from half the step and column spacing: {', '.join(told)}")
     energies = Table(title="energy since the start", title_justify="left")
     energies.add_column("what")
     energies.add_column("mJ", justify="right")
-    for name in LEDGER:
+    for name in (n for n in LEDGER if n in run):
         change = last[name] - (run[name][0] if name.endswith("_energy") else 0.0)
         energies.add_row(name.replace("_", " "), f"{float(change) * 1e3:.4g}")
     _console().print(energies)
