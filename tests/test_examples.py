@@ -6,6 +6,10 @@ from pathlib import Path
 
 import pytest
 
+import drawbar
+from drawbar.study.paper.examples import EXAMPLES as EXAMPLES_OF_LOGS
+from drawbar.study.paper.examples import example_log, make
+
 ROOT = Path(__file__).parent.parent
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 
@@ -30,3 +34,11 @@ def test_the_first_example_of_the_readme_is_short_and_prints_what_it_says(capsys
     assert len(code.strip().splitlines()) <= 15
     exec(compile(code, "README.md", "exec"), {})
     assert capsys.readouterr().out.strip() == printed.strip()
+
+
+@pytest.mark.parametrize("name", EXAMPLES_OF_LOGS)
+def test_the_shipped_logs_are_the_virtual_rigs_own(name, tmp_path):
+    shipped, again = drawbar.load(example_log(name)), drawbar.load(make(name, tmp_path))
+    assert shipped.attrs["origin"] == "virtual rig"
+    for column in shipped.data_vars:
+        assert again[column].values == pytest.approx(shipped[column].values, rel=2e-4, abs=1e-6, nan_ok=True), column

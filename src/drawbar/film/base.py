@@ -20,13 +20,9 @@ class Film:
     def __init_subclass__(cls) -> None:
         Film.registry[cls.__name__] = cls
 
-    @staticmethod
-    def shear_stress(slip_velocity: Any, pressure: Any, *parameters: Any) -> Any:
-        """Shear stress [Pa] on the wheel at a slip velocity [m/s] under a pressure [Pa].
-
-        Odd in the slip velocity and never against it in sign: τ V >= 0 (a film only dissipates).
-        """
-        raise NotImplementedError
+    shear_stress: ClassVar[Callable[..., Any]]
+    """Shear stress [Pa] on the wheel at (slip velocity V [m/s], pressure [Pa], ...). Odd in V and never
+    against it in sign, τ V >= 0: a film only dissipates."""
 
     arc: ClassVar[Callable[..., Any] | None] = None
     """Exact integrals over a contact arc of (rear, front, vx, vy, omega, radius, ...), or None: sum

@@ -37,26 +37,18 @@ class Tissue:
     def __init_subclass__(cls) -> None:
         Tissue.registry[cls.__name__] = cls
 
-    # Kernels --------------------------------------------------------------------------------------
-    @staticmethod
-    def half_angle(sinkage: Any, radius: Any, *parameters: Any) -> Any:
-        """Half contact angle [rad] at a sinkage [m] of a wheel of ``radius`` [m]; 0 out of contact."""
-        raise NotImplementedError
+    # Kernels of an elastic law. A law with memory gives `spectrum` or `power_law` in their place.
+    half_angle: ClassVar[Callable[..., Any]]
+    """Half contact angle [rad] at (sinkage [m], radius [m], ...); 0 out of contact."""
 
-    @staticmethod
-    def pressure(deflection: Any, slope: Any, curvature: Any, *parameters: Any) -> Any:
-        """Contact pressure [Pa] under a surface deflection w [m] (down), its slope w' and curvature w''."""
-        raise NotImplementedError
+    pressure: ClassVar[Callable[..., Any]]
+    """Contact pressure [Pa] under (deflection w [m] down, slope w', curvature w'' [1/m], ...)."""
 
-    @staticmethod
-    def energy_density(deflection: Any, slope: Any, *parameters: Any) -> Any:
-        """Elastic energy stored per area of surface [J/m²]."""
-        raise NotImplementedError
+    energy_density: ClassVar[Callable[..., Any]]
+    """Elastic energy per area of surface [J/m²] at (deflection [m], slope, ...)."""
 
-    @staticmethod
-    def edge_energy(deflection: Any, *parameters: Any) -> Any:
-        """Elastic energy per width [J/m] of the free surface beyond one contact edge deflected by w [m]."""
-        raise NotImplementedError
+    edge_energy: ClassVar[Callable[..., Any]]
+    """Elastic energy per width [J/m] of the free surface beyond one edge at (its deflection [m], ...)."""
 
     support: ClassVar[Callable[..., Any] | None] = None
     """Exact reaction per width [N/m] at (sinkage, half_angle, radius, ...), or None: sum over nodes."""
