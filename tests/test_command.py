@@ -72,7 +72,9 @@ def test_rig_prints_a_table_and_writes_the_run(run, tmp_path):
     )
     assert float(rows.drawbar_force[0]) == pytest.approx(float(known.drawbar_force), abs=0.005)
     status, _, err = run("rig")
-    assert (status, "exists. Give --force" in err) == (2, True)
+    assert (status, "exist. Give --force" in err) == (2, True)
+    status, _, err = run("rig", "--out", "out/rig/rig.csv")
+    assert (status, "is a file" in err) == (2, True)
     assert run("rig", "--force")[0] == 0
 
 

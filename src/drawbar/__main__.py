@@ -112,9 +112,9 @@ def rig(
     from drawbar.variables import VARIABLES
     from drawbar.view import terminal
 
+    laws: tuple[Any, Any, Any] = (find("wheel", wheel), find("tissue", tissue), find("film", film))
     files = [out / f"rig.{suffix}" for suffix in ("nc", "csv", "png", "svg")]
     refuse_existing(*files, force=force)
-    laws: tuple[Any, Any, Any] = (find("wheel", wheel), find("tissue", tissue), find("film", film))
     labels = {"wheel": wheel, "tissue": tissue, "film": film}
     given = {"speed_ratio": speed_ratio, "wheel_speed": wheel_speed, "wheel_torque": wheel_torque}
     if at is not None:
@@ -185,9 +185,9 @@ def simulate(
     from drawbar.units import si
     from drawbar.view import terminal
 
+    laws: tuple[Any, Any, Any] = (find("wheel", wheel), find("tissue", tissue), find("film", film))
     files = [out / f"simulation.{suffix}" for suffix in ("nc", "csv", "png", "svg")]
     refuse_existing(*files, force=force)
-    laws: tuple[Any, Any, Any] = (find("wheel", wheel), find("tissue", tissue), find("film", film))
     quantities = {"speed": (speed, "m/s"), "drawbar_force": (drawbar, "N"), "wheel_speed": (wheel_speed, "rad/s"),
                   "wheel_torque": (wheel_torque, "N m")}  # fmt: skip
     given = {name: si(v, unit) for name, (v, unit) in quantities.items() if v is not None}

@@ -15,10 +15,15 @@ MARKER = ".drawbar"
 
 
 def refuse_existing(*paths: Path, force: bool = False) -> None:
-    """Raise FileExistsError with a sentence if one of the files is there already; call it before work."""
+    """Raise OSError with a sentence if one of the files is there already, or cannot be; call it before work."""
+    for path in paths:
+        above = next(p for p in path.absolute().parents if p.exists())
+        if not above.is_dir():
+            raise NotADirectoryError(f"{above} is a file, and {path.name} cannot go into it. Give a folder with --out.")
     there = [str(p) for p in paths if p.exists()]
     if there and not force:
-        raise FileExistsError(f"{', '.join(there)} exists. Give --force to overwrite, or another place with --out.")
+        verb = "exists" if len(there) == 1 else "exist"
+        raise FileExistsError(f"{', '.join(there)} {verb}. Give --force to overwrite, or another place with --out.")
 
 
 @contextlib.contextmanager
