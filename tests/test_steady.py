@@ -181,3 +181,21 @@ def test_steady_rolling_on_a_tissue_with_memory_balances_its_powers(tissue):
 def test_a_law_without_an_instant_answer_refuses_deep_contact():
     with pytest.raises(ValueError, match=r"KelvinVoigt has no finite answer.*Give less load, a wider wheel"):
         drawbar.steady(WHEEL, MEMORY[0], COUETTE, normal_load=2.0, speed=0.0254, speed_ratio=1.0)
+
+
+def test_two_laws_may_call_a_quantity_by_one_name():
+    """A tissue's viscosity and a film's are different things."""
+    tissue = drawbar.KelvinVoigt(stiffness=225e3, viscosity=3e3)
+    film = drawbar.Stribeck(
+        boundary_friction_coefficient=0.1, viscosity=1e-3, transition_length=1e-7, film_thickness=1e-5
+    )
+    result = drawbar.steady(WHEEL, tissue, film, normal_load=0.1, speed=0.0254, speed_ratio=0.5)
+    state = drawbar.State(sinkage=float(result.sinkage), vx=0.0254, omega=float(result.wheel_speed))
+    known = drawbar.wrench(WHEEL, tissue, film, state)
+    assert known.reaction == pytest.approx(0.1, rel=1e-8)
+    assert float(result.drawbar_force) == pytest.approx(float(known.drawbar_force), rel=1e-9)
+    several = drawbar.KelvinVoigt(stiffness=225e3, viscosity=np.array([1e3, 3e3]))
+    table = drawbar.steady(WHEEL, several, film, normal_load=0.1, speed=0.0254, speed_ratio=0.5)
+    assert table.drawbar_force.dims == ("tissue_viscosity",)
+    assert float(table.drawbar_force[1]) == pytest.approx(float(result.drawbar_force), rel=1e-9)
+    assert table.tissue_viscosity.attrs["units"] == "Pa s/m"

@@ -95,8 +95,10 @@ def steady(
     settings = {"normal_load": normal_load, "slide_speed": speed, drive: given}
     settings = {name: check(name, v, VARIABLES[name]) for name, v in settings.items()}
     laws = {"wheel_radius": wheel.radius, "wheel_width": wheel.width}
+    names = _names(tissue, film)
     for law in (tissue, film):
-        laws |= {n: v for n, v in zip(quantities(law), parameters(law), strict=True) if not isinstance(v, tuple)}
+        numbers = zip(names[id(law)], parameters(law), strict=True)
+        laws |= {name: v for name, v in numbers if not isinstance(v, tuple)}
 
     arrays = _named(settings | laws)
     full = xr.broadcast(*arrays.values())
@@ -107,11 +109,18 @@ def steady(
     data: dict[str, Any] = {name: (dims, a.reshape(shape)) for name, a in results.items()}
     data |= {name: a for name, a in arrays.items() if name in settings or a.ndim}
     coords = [n for n in data if n in arrays or n in ("speed_ratio", "wheel_speed", "slip")]
-    names = {"wheel_law": _name(wheel), "tissue_law": _name(tissue), "film_law": _name(film)}
-    declared = {**quantities(tissue), **quantities(film)}
-    dataset = declare(data, coords=coords, attrs={**names, "motion": "steady"}, extra=declared)
+    written = {"wheel_law": _name(wheel), "tissue_law": _name(tissue), "film_law": _name(film)}
+    declared = {n: q for law in (tissue, film) for n, q in zip(names[id(law)], quantities(law).values(), strict=True)}
+    dataset = declare(data, coords=coords, attrs={**written, "motion": "steady"}, extra=declared)
     dataset["flags"] = dataset["flags"].astype(np.int32).assign_attrs(attributes())
     return dataset
+
+
+def _names(tissue: Tissue, film: Film) -> dict[int, list[str]]:
+    """What the laws' quantities are called among the inputs: two of one name are told apart by their owner."""
+    shared = quantities(tissue).keys() & quantities(film).keys()
+    owners = ((tissue, "tissue"), (film, "film"))
+    return {id(law): [f"{kind}_{n}" if n in shared else n for n in quantities(law)] for law, kind in owners}
 
 
 def _name(law: Any) -> str:
@@ -188,8 +197,8 @@ class _Block:
 
     def of(self, law: Tissue | Film, pick: Any = slice(None)) -> tuple[Any, ...]:
         """A law's numbers at some of the points; a series is the same at all of them."""
-        names = quantities(law)
-        return tuple(self.numbers[n][pick] if n in self.numbers else getattr(law, n) for n in names)
+        names = zip(_names(self.tissue, self.film)[id(law)], parameters(law), strict=True)
+        return tuple(v if isinstance(v, tuple) else self.numbers[name][pick] for name, v in names)
 
     def forces(self, sinkage: Any, omega: Any, pick: Any = slice(None)) -> Forces:
         """The contact at a sinkage and wheel speed, at all of the points or those picked.
