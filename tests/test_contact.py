@@ -12,6 +12,7 @@ from drawbar.catalogue import laws
 from drawbar.contact import closed_form
 from drawbar.contact.bind import bind
 from drawbar.contact.kernel import Forces, arc_of_nodes, contact_kernel, energy_kernel, support_of_nodes
+from drawbar.contact.shear import add_shear
 from drawbar.contact.wrench import State, wrench
 from drawbar.film.couette import Couette
 from drawbar.film.couette_coulomb import CouetteCoulomb
@@ -102,7 +103,8 @@ def test_the_sum_over_nodes_equals_the_laws_own_integral(tissue, sinkage):
 def test_the_films_sum_over_nodes_equals_its_own_integral(sinkage, vx, vy, omega):
     r, numbers = 0.0075, (1e4,)
     half = Winkler.half_angle(sinkage, r, 1.0)
-    nodes = bind(arc_of_nodes, pressure=Winkler.pressure, shear_stress=Couette.shear_stress)
+    node = bind(add_shear, shear_stress=Couette.shear_stress)
+    nodes = bind(arc_of_nodes, pressure=Winkler.pressure, add_shear=node)
     by_nodes = nodes(sinkage, -half, half, vx, vy, omega, r, (1.0,), numbers)
     exact = Couette.arc(-half, half, vx, vy, omega, r, *numbers)
     scale = 1e4 * r * half * (abs(vx) + abs(vy) + r * abs(omega) + 1e-9)

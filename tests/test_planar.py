@@ -147,6 +147,7 @@ def test_eight_seconds_take_milliseconds():
         ({"tolerance": 0.1}, r"tolerance must be between 1e-12 and 0.001"),
         ({"drawbar_force": 0.1}, r"speed_ratio needs an imposed speed"),
         ({"damper": -1.0}, r"damper must be between 0"),
+        ({"check": True}, r"step and check are for columns.*Give columns=400 too"),
     ],
 )
 def test_wrong_input_is_told_what_is_allowed(wrong, sentence):

@@ -2,7 +2,7 @@
 
 Geometry gives nodes and weights on the wheel's arc, the laws act at the nodes, the wrench is the sum.
 The functions here are templates (see :mod:`drawbar.contact.bind`): ``half_angle``, ``pressure`` and
-``shear_stress`` are the bound tissue's and film's. They act elementwise, so arrays of operating points
+``add_shear`` are the bound tissue's and film's. They act elementwise, so arrays of operating points
 and single compiled points come from the same lines. Angles are measured on the wheel from its lowest
 point, positive to the front.
 """
@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from drawbar.contact import shear
 from drawbar.contact.bind import bind, unbound
 from drawbar.contact.power_law import power_forces
 from drawbar.contact.rolling import rolling_forces
@@ -22,7 +23,7 @@ from drawbar.tissue.base import Tissue
 
 __all__ = ["Forces", "contact_kernel", "energy_kernel"]
 
-half_angle = pressure = shear_stress = energy_density = edge_energy = unbound
+half_angle = pressure = add_shear = energy_density = edge_energy = unbound
 exact_support = exact_arc = support = arc = unbound
 
 # Gauss-Legendre on [0, 1]. Ten nodes integrate the products of two sines or cosines that the paper's
@@ -89,11 +90,8 @@ def arc_of_nodes(
     turn = np.arccos(np.minimum(np.maximum(cosine, -1.0), 1.0))
     rear_turn = np.maximum(rear, -turn)
     front_turn = np.minimum(front, turn)
-    along = 0.0 * (front + vx + vy + omega)
-    upward = along
-    side = along
-    torque = along
-    loss = along
+    zero = 0.0 * (front + vx + vy + omega)
+    sums = (zero, zero, zero, zero, zero)
     for part in range(4):
         lower = (rear, rear_turn, 0.0 * rear, front_turn)[part]
         upper = (rear_turn, 0.0 * front, front_turn, front)[part]
@@ -105,16 +103,9 @@ def arc_of_nodes(
             s = np.sin(theta)
             w = sinkage - radius * s * s / (1.0 + c)
             p = pressure(w, -s / c, -1.0 / (radius * c * c * c), *tissue)
-            slip = rim - vx * c
-            speed = np.sqrt(slip * slip + vy * vy)
-            stress = shear_stress(speed, p, *film) / where(speed > 0.0, speed, 1.0)
-            length = (upper - lower) * WEIGHTS[i] * radius * stress
-            along = along + length * slip * c
-            upward = upward + length * slip * s
-            side = side - length * vy
-            torque = torque + length * slip * radius
-            loss = loss + length * speed * speed
-    return along, upward, side, torque, loss
+            length = (upper - lower) * WEIGHTS[i] * radius
+            sums = add_shear(sums, c, s, p, length, rim, vx, vy, radius, film)
+    return sums
 
 
 def arc_exact(
@@ -172,10 +163,11 @@ def contact_kernel(tissue: type[Tissue], film: type[Film], *, compiled: bool = F
     """The contact of two laws: :func:`contact_forces`, by their exact integrals where they give them, or
     :func:`drawbar.contact.rolling.rolling_forces` or :func:`drawbar.contact.power_law.power_forces` for a
     tissue with memory."""
+    film_node = bind(shear.add_shear, compiled=compiled, shear_stress=film.shear_stress)
     if tissue.spectrum is not None:
-        return bind(rolling_forces, compiled=compiled, spectrum=tissue.spectrum, shear_stress=film.shear_stress)
+        return bind(rolling_forces, compiled=compiled, spectrum=tissue.spectrum, add_shear=film_node)
     if tissue.power_law is not None:
-        return bind(power_forces, compiled=compiled, power_law=tissue.power_law, shear_stress=film.shear_stress)
+        return bind(power_forces, compiled=compiled, power_law=tissue.power_law, add_shear=film_node)
     if tissue.support is not None:
         bound_support = bind(support_exact, compiled=compiled, exact_support=tissue.support)
     else:
@@ -183,7 +175,7 @@ def contact_kernel(tissue: type[Tissue], film: type[Film], *, compiled: bool = F
     if film.arc is not None:
         bound_arc = bind(arc_exact, compiled=compiled, exact_arc=film.arc)
     else:
-        bound_arc = bind(arc_of_nodes, compiled=compiled, pressure=tissue.pressure, shear_stress=film.shear_stress)
+        bound_arc = bind(arc_of_nodes, compiled=compiled, pressure=tissue.pressure, add_shear=film_node)
     return bind(
         contact_forces,
         compiled=compiled,

@@ -7,7 +7,7 @@ measured on the wheel from its lowest point, positive to the front.
 The singular powers are never sampled. A smooth function times u^{-α} is summed at fixed Gauss nodes with
 weights that hold the exact moments of u^{-α} (product integration); so is the tissue's spectrum of relaxation
 rates, whose density is a power too. The template is :func:`power_forces` (see :mod:`drawbar.contact.bind`):
-``power_law`` and ``shear_stress`` are the bound laws'.
+``power_law`` and ``add_shear`` are the bound laws'.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from drawbar.tissue.base import geometric_half_angle
 
 __all__ = ["power_forces"]
 
-power_law = shear_stress = unbound
+power_law = add_shear = unbound
 
 # History: Gauss-Legendre points of [0, 1], and what turns Legendre moments of a weight into node weights.
 HISTORY = 10
@@ -207,11 +207,7 @@ def power_forces(
     middle = 0.5 * (first + second)
     reaction = zero
     resistance = zero
-    along = zero
-    upward = zero
-    side = zero
-    torque = zero
-    film_loss = zero
+    sums = (zero, zero, zero, zero, zero)
     peak = zero
     highest = zero + 0.5
     for part in range(4):
@@ -228,14 +224,7 @@ def power_forces(
             length = (upper - lower) * WEIGHTS[i] * 3.0 * s * s * reach * radius
             reaction = reaction + length * p * c
             resistance = resistance + length * p * sine
-            slip = rim - speed * c
-            size = np.sqrt(slip * slip + vy * vy)
-            arc = length * shear_stress(size, np.maximum(p, 0.0), *film) / where(size > 0.0, size, 1.0)
-            along = along + arc * slip * c
-            upward = upward + arc * slip * sine
-            side = side - arc * vy
-            torque = torque + arc * slip * radius
-            film_loss = film_loss + arc * size * size
+            sums = add_shear(sums, c, sine, np.maximum(p, 0.0), length, rim, speed, vy, radius, film)
             highest = where(p > peak, s, highest)
             peak = np.maximum(peak, p)
     for gap in (0.1, 0.03, 0.01, 0.01, 0.01):  # the top of a parabola through three points around the highest
@@ -252,6 +241,7 @@ def power_forces(
     w_rear = depth - 2.0 * radius * np.sin(0.5 * rear) ** 2
     lost = coefficient * speed**exponent * loss_of_memory(depth, rear, front, radius, exponent)
     lost = lost + 0.5 * stiffness * w_rear * w_rear
+    along, upward, side, torque, film_loss = sums
     return (
         front,
         rear,

@@ -6,7 +6,7 @@ one panel of the arc the deflection is a parabola in x, for which each branch's 
 exactly, so that a relaxation time far below the panel's passage costs nothing. Angles are measured on the
 wheel from its lowest point, positive to the front; x runs from the front backwards.
 
-These are templates (see :mod:`drawbar.contact.bind`): ``spectrum`` and ``shear_stress`` are the bound laws'.
+These are templates (see :mod:`drawbar.contact.bind`): ``spectrum`` and ``add_shear`` are the bound laws'.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from drawbar.tissue.base import geometric_half_angle
 
 __all__ = ["PANELS", "rolling_forces"]
 
-spectrum = shear_stress = unbound
+spectrum = add_shear = unbound
 
 # Panels from the front edge to its mirror image, closer where the circle is steep: angle = front × cos(π j / n).
 PANELS = 64
@@ -148,11 +148,7 @@ def rolling_forces(
         strains[i] = strains[i] + face
         lengths[i] = np.maximum(speed * times[i], 1e-9 * radius)  # at rest: all relaxed
     reaction = zero
-    along = zero
-    upward = zero
-    side = zero
-    torque = zero
-    film_loss = zero
+    sums = (zero, zero, zero, zero, zero)
     lost = zero
     stored = zero
     resistance = 0.5 * instant * face * face
@@ -210,15 +206,8 @@ def rolling_forces(
                 cosine = np.cos(theta)
                 u = np.maximum(x_start - radius * sine, 0.0)
                 p = pressure_at(u, w_start, rise, curve, strains, lengths, columns)
-                slip = rim - speed * cosine
-                size = np.sqrt(slip * slip + vy * vy)
-                stress = shear_stress(size, np.maximum(p, 0.0), *film) / where(size > 0.0, size, 1.0)
-                arc = (upper - lower) * WEIGHTS[g] * radius * stress
-                along = along + arc * slip * cosine
-                upward = upward + arc * slip * sine
-                side = side - arc * vy
-                torque = torque + arc * slip * radius
-                film_loss = film_loss + arc * size * size
+                length = (upper - lower) * WEIGHTS[g] * radius
+                sums = add_shear(sums, cosine, sine, np.maximum(p, 0.0), length, rim, speed, vy, radius, film)
                 peak = np.maximum(peak, where(upper > lower, p, 0.0))
         holds = 0.5 * stiffness * (w_start + part * (rise + curve * part)) ** 2
         for i in range(count):
@@ -233,6 +222,7 @@ def rolling_forces(
         rear = where(inside > 0.0, leave, rear)
         inside = where(leaves, 0.0, inside)
     regained = where(inside > 0.0, 0.5 * p_end * p_end / instant, 0.0)  # at the rear face, if still pressed
+    along, upward, side, torque, film_loss = sums
     return (
         front,
         rear,

@@ -18,8 +18,10 @@ from drawbar.wheel.base import Wheel
 __all__ = [
     "ASSUMED",
     "CITATION",
+    "DRAG_SPEEDS",
     "LOADS",
     "OUTCOMES",
+    "PLATE_MASSES",
     "PRESETS",
     "PRINTED",
     "SPEED_RATIOS",
@@ -75,7 +77,7 @@ ASSUMED: dict[str, Number] = {
     "liver_viscous_coefficient": Number(
         1.0e4, "Pa s/m", "not printed (section VIII.B: lower than on foam)", "assumed: as on foam"
     ),
-    "liver_yield_stress": Number(20.0, "Pa", "not printed", "assumed: the shear of 2 mm/s in that film"),
+    "yield_stress": Number(20.0, "Pa", "not printed", "assumed: the shear of 2 mm/s in that film"),
     "plate_area": Number(2.5e-3, "m^2", "not printed", "assumed: 50 mm × 50 mm"),
     "lever_damper": Number(0.5, "N s/m", "not printed", "assumed: settles the wheel in a fraction of a second"),
     "drag_speed_low": Number(0.005, "m/s", "not printed", "assumed: a fifth of the rig's 2.54 cm/s"),
@@ -83,6 +85,20 @@ ASSUMED: dict[str, Number] = {
 }
 """Inputs that the paper does not print. These are this project's choices, to be replaced by one's own;
 none was read off a figure."""
+
+
+PLATE_MASSES = tuple(
+    PRINTED["plate_mass_low"].value + (PRINTED["plate_mass_high"].value - PRINTED["plate_mass_low"].value) * i / 9
+    for i in range(10)
+)
+"""kg. The printed range in ten equal steps; how many steps there were is assumed."""
+
+DRAG_SPEEDS = tuple(
+    ASSUMED["drag_speed_low"].value
+    + (ASSUMED["drag_speed_high"].value - ASSUMED["drag_speed_low"].value) * i / (PRINTED["drag_speeds"].value - 1)
+    for i in range(int(PRINTED["drag_speeds"].value))
+)
+"""m/s. Five, as printed, between assumed ends."""
 
 
 @dataclasses.dataclass(frozen=True)

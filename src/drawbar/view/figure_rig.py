@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from drawbar.study.compare.condition import describe, runs
-from drawbar.study.identify.reduce import SETTLING
-from drawbar.variables import LABELS, OBSERVATION, tidy
+from drawbar.study.identify.reduce import SETTLING, run_starts
+from drawbar.variables import OBSERVATION, tidy
 from drawbar.view.curves import abscissa, curves, draw, repeated, scales
 from drawbar.view.style import COLOURS, INK, Shown, caption, legend, new_figure, number, shown, style, zero_line
 
@@ -124,7 +124,7 @@ def history(dataset: xr.Dataset, *, run: int = 0, title: str = "", width: float 
     if "time" not in dataset.variables:
         raise ValueError("the data set has no time. Make a time history with drawbar.drawbar_test(..., history=True).")
     rows = tidy(dataset)
-    of_run = _run_numbers(rows)
+    of_run = np.cumsum(run_starts({str(n): v.values for n, v in rows.variables.items()})) - 1
     if not 0 <= run <= int(of_run.max()):
         raise ValueError(f"run must be between 0 and {int(of_run.max())}, got {run}.")
     rows = rows.isel({OBSERVATION: of_run == run})
@@ -153,15 +153,6 @@ def history(dataset: xr.Dataset, *, run: int = 0, title: str = "", width: float 
     which = f"{_capital(one + settings)}. " if settings else ""
     caption(figure, f"{which}{_capital(damping)}. Grey: the first quarter, left out of the steady mean.")
     return figure
-
-
-def _run_numbers(rows: xr.Dataset) -> np.ndarray:
-    """Which run each row belongs to: a new one where time falls back or a label changes."""
-    begins = np.diff(rows["time"].values, prepend=np.inf) <= 0.0
-    for label in (name for name in LABELS if name in rows):
-        values = rows[label].values
-        begins[1:] |= values[1:] != values[:-1]
-    return np.cumsum(begins) - 1
 
 
 def _running_mean(time: np.ndarray, values: np.ndarray, window: float) -> np.ndarray:

@@ -18,7 +18,7 @@ from drawbar.film.couette_coulomb import CouetteCoulomb
 from drawbar.rig.drawbar_test import drawbar_test
 from drawbar.rig.plate_test import plate_test
 from drawbar.rig.sensors import Sensors
-from drawbar.sources.rentschler_2004 import ASSUMED, LOADS, PRINTED, WEIGHT
+from drawbar.sources.rentschler_2004 import ASSUMED, DRAG_SPEEDS, LOADS, PLATE_MASSES, PRINTED, WEIGHT
 from drawbar.study.identify.film import identify_film
 from drawbar.study.identify.fit import Fit
 from drawbar.study.identify.stiffness import identify_stiffness
@@ -31,10 +31,7 @@ PARAMETERS = ("stiffness", "yield_stress", "viscous_coefficient")
 SEED = 2004
 
 WHEEL = Wheel(radius=PRINTED["robot_diameter"].value / 2, width=ASSUMED["wheel_width"].value)
-MASSES = np.linspace(PRINTED["plate_mass_low"].value, PRINTED["plate_mass_high"].value, 10)
-SPEEDS = np.linspace(
-    ASSUMED["drag_speed_low"].value, ASSUMED["drag_speed_high"].value, int(PRINTED["drag_speeds"].value)
-)
+SPEEDS = np.array(DRAG_SPEEDS)
 
 
 def coverage(
@@ -124,8 +121,8 @@ def one_campaign(index: int, seed: int = SEED) -> dict[str, Any]:
     tissue = Winkler(stiffness=truth["stiffness"])
     film = CouetteCoulomb(viscous_coefficient=truth["viscous_coefficient"], yield_stress=truth["yield_stress"])
     plates = plate_test(
-        tissue, applied_mass=MASSES, plate_area=ASSUMED["plate_area"].value, sets=int(PRINTED["plate_sets"].value),
-        spread=spread, sensors=sensors, seed=seeds[0],
+        tissue, applied_mass=PLATE_MASSES, plate_area=ASSUMED["plate_area"].value,
+        sets=int(PRINTED["plate_sets"].value), spread=spread, sensors=sensors, seed=seeds[0],
     )  # fmt: skip
     drags = drawbar_test(
         WHEEL, tissue, film, normal_load=np.array(LOADS) * WEIGHT, speed=np.concatenate([SPEEDS, -SPEEDS]),

@@ -10,7 +10,7 @@ import xarray as xr
 from drawbar.rig.derive import derived
 from drawbar.variables import LABELS, OBSERVATION, VARIABLES, declare, tidy
 
-__all__ = ["SETTLING", "Rows", "gather", "one_label", "reduce_histories", "require"]
+__all__ = ["SETTLING", "Rows", "gather", "one_label", "reduce_histories", "require", "run_starts"]
 
 Rows = dict[str, np.ndarray]
 """Columns by name, SI, all of one length."""
@@ -56,7 +56,7 @@ def reduce_histories(dataset: xr.Dataset, settling: float = SETTLING) -> xr.Data
     if not 0.0 <= settling < 1.0:
         raise ValueError(f"settling must be >= 0 and < 1, got {settling:g}. It is the part of a run to leave out.")
     columns = {str(n): np.broadcast_to(v.values, rows.sizes[OBSERVATION]) for n, v in rows.variables.items()}
-    starts = _run_starts(columns)
+    starts = run_starts(columns)
     run = np.cumsum(starts) - 1
     time = columns["time"]
     first = time[starts]
@@ -98,7 +98,7 @@ def _unsettled(columns: Mapping[str, np.ndarray], run: np.ndarray, keep: np.ndar
     return int(np.count_nonzero((variance > 1.5 * noise) & (variance > (0.05 * mean) ** 2)))
 
 
-def _run_starts(columns: Mapping[str, np.ndarray]) -> np.ndarray:
+def run_starts(columns: Mapping[str, np.ndarray]) -> np.ndarray:
     """Whether each row is the first of a run."""
     new = np.diff(columns["time"]) <= 0.0
     for name in LABELS:

@@ -15,13 +15,13 @@ from drawbar.motion.steady import grid, steady
 from drawbar.rig.drawbar_test import drawbar_test
 from drawbar.rig.plate_test import plate_test
 from drawbar.rig.sensors import Sensors
-from drawbar.sources.rentschler_2004 import ASSUMED, LOADS, PRINTED, SPEED_RATIOS, WEIGHT
+from drawbar.sources.rentschler_2004 import ASSUMED, DRAG_SPEEDS, LOADS, PLATE_MASSES, PRINTED, SPEED_RATIOS, WEIGHT
 from drawbar.study.compare.compare import Comparison, compare
 from drawbar.study.identify.film import identify_film
 from drawbar.study.identify.fit import Fit
 from drawbar.study.identify.stiffness import identify_stiffness
 from drawbar.study.paper.memory import memory_sweep, power_curve
-from drawbar.study.paper.model import drawbar_maps, tension_error, wheel_of_width
+from drawbar.study.paper.model import STIFFNESS, drawbar_maps, tension_error, wheel_of_width
 from drawbar.study.paper.model import verdicts as verdicts_of
 from drawbar.study.paper.outcomes import Verdict
 from drawbar.tissue.winkler import Winkler
@@ -39,17 +39,13 @@ SPREAD = 0.03
 
 SEED = 2004
 
-TISSUES = {"foam": PRINTED["foam_stiffness"].value, "liver": PRINTED["liver_stiffness"].value}
 FILMS = {
-    "foam": CouetteCoulomb(
-        viscous_coefficient=ASSUMED["foam_viscous_coefficient"].value,
-        yield_stress=ASSUMED["liver_yield_stress"].value,
-    ),
-    "liver": CouetteCoulomb(
-        viscous_coefficient=ASSUMED["liver_viscous_coefficient"].value,
-        yield_stress=ASSUMED["liver_yield_stress"].value,
-    ),
+    tissue: CouetteCoulomb(
+        viscous_coefficient=ASSUMED[f"{tissue}_viscous_coefficient"].value, yield_stress=ASSUMED["yield_stress"].value
+    )
+    for tissue in STIFFNESS
 }
+"""What the virtual locked-wheel drags slide on: the paper fits Coulomb and viscous friction, and prints neither."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,10 +60,9 @@ class Reproduction:
 
 def plates(tissue: str, seed: int = SEED) -> xr.Dataset:
     """A virtual plate test as in section VI.B: three sets of 20 to 200 g."""
-    masses = np.linspace(PRINTED["plate_mass_low"].value, PRINTED["plate_mass_high"].value, 10)
     return plate_test(
-        Winkler(stiffness=TISSUES[tissue]),
-        applied_mass=masses,
+        Winkler(stiffness=STIFFNESS[tissue]),
+        applied_mass=PLATE_MASSES,
         plate_area=ASSUMED["plate_area"].value,
         sets=int(PRINTED["plate_sets"].value),
         spread=SPREAD,
@@ -79,11 +74,10 @@ def plates(tissue: str, seed: int = SEED) -> xr.Dataset:
 
 def drags(tissue: str, seed: int = SEED) -> xr.Dataset:
     """Virtual locked-wheel drags as in section VI.A: five speeds each way, three loads, three repeats."""
-    low, high = ASSUMED["drag_speed_low"].value, ASSUMED["drag_speed_high"].value
-    speeds = np.linspace(low, high, int(PRINTED["drag_speeds"].value))
+    speeds = np.array(DRAG_SPEEDS)
     return drawbar_test(
         wheel_of_width(ASSUMED["wheel_width"].value),
-        Winkler(stiffness=TISSUES[tissue]),
+        Winkler(stiffness=STIFFNESS[tissue]),
         FILMS[tissue],
         normal_load=np.array(LOADS) * WEIGHT,
         speed=np.concatenate([-speeds[::-1], speeds]),
@@ -133,13 +127,13 @@ def reproduce(progress: Callable[[str, int, int], None] | None = None) -> Reprod
 
 
 def _stiffness(datasets: dict[str, xr.Dataset], fits: dict[str, Fit]) -> None:
-    for tissue in TISSUES:
+    for tissue in STIFFNESS:
         datasets[f"plates_{tissue}"] = plates(tissue)
         fits[f"stiffness_{tissue}"] = identify_stiffness(datasets[f"plates_{tissue}"])
 
 
 def _film(datasets: dict[str, xr.Dataset], fits: dict[str, Fit]) -> None:
-    for tissue in TISSUES:
+    for tissue in STIFFNESS:
         datasets[f"drags_{tissue}"] = drags(tissue)
         fits[f"film_{tissue}"] = identify_film(datasets[f"drags_{tissue}"])
 
@@ -150,7 +144,7 @@ def _drawbar(datasets: dict[str, xr.Dataset], comparisons: dict[str, Comparison]
     wheel = wheel_of_width(ASSUMED["wheel_width"].value)
     loads, speed = np.array(LOADS) * WEIGHT, PRINTED["slide_speed"].value
     curve = np.linspace(SPEED_RATIOS[0], SPEED_RATIOS[-1], 41)
-    for tissue, stiffness in TISSUES.items():
+    for tissue, stiffness in STIFFNESS.items():
         law = Winkler(stiffness=stiffness)
         datasets[f"curve_{tissue}"] = steady(
             wheel, law, film, speed=speed, **grid(normal_load=loads, speed_ratio=curve)
@@ -177,7 +171,7 @@ def _history() -> xr.Dataset:
     """One run as in Fig. 9: 20 cm at 2.54 cm/s, N = W, speed ratio 0.5."""
     return drawbar_test(
         wheel_of_width(ASSUMED["wheel_width"].value),
-        Winkler(stiffness=TISSUES["foam"]),
+        Winkler(stiffness=STIFFNESS["foam"]),
         Couette(viscous_coefficient=ASSUMED["foam_viscous_coefficient"].value),
         normal_load=WEIGHT,
         speed=PRINTED["slide_speed"].value,
@@ -194,7 +188,7 @@ def _transient() -> xr.Dataset:
     """A driven wheel's equations of motion from touch-down: it pulls 0.02 N from rest."""
     return simulate(
         wheel_of_width(ASSUMED["wheel_width"].value),
-        Winkler(stiffness=TISSUES["foam"]),
+        Winkler(stiffness=STIFFNESS["foam"]),
         Couette(viscous_coefficient=ASSUMED["foam_viscous_coefficient"].value),
         normal_load=WEIGHT,
         drawbar_force=0.02,
